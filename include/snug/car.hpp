@@ -1,0 +1,65 @@
+// Car: the dimensions that decide how a car parks, checked, and the cars of the paper.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "snug/geometry.hpp"
+
+namespace snug {
+
+/// The paper's car dimensions D = (w, d_f, d_r, b, phi_max), section 2.1.
+struct CarDimensions {
+    double width = 0.0;      ///< w: width without mirrors [m]
+    double front = 0.0;      ///< d_f: from the rear axle centre to the front [m]
+    double rear = 0.0;       ///< d_r: from the rear axle centre to the back [m]
+    double wheelbase = 0.0;  ///< b: between the axles [m]
+    double max_steer = 0.0;  ///< phi_max: largest steering angle [rad], between 0.1 and 89.9 degrees
+};
+
+/// A car that can exist. Lengths lie between 1e-6 and 1e6 m; the front may be shorter than the wheelbase, because a car
+/// entering nose first is solved as the car with front and rear swapped.
+class Car {
+public:
+    /// Throws Error when a dimension is impossible.
+    explicit Car(const CarDimensions& dimensions, std::string name = {});
+
+    [[nodiscard]] double width() const { return dimensions_.width; }
+    [[nodiscard]] double front() const { return dimensions_.front; }
+    [[nodiscard]] double rear() const { return dimensions_.rear; }
+    [[nodiscard]] double wheelbase() const { return dimensions_.wheelbase; }
+    [[nodiscard]] double max_steer() const { return dimensions_.max_steer; }
+    [[nodiscard]] const CarDimensions& dimensions() const { return dimensions_; }
+    [[nodiscard]] const std::string& name() const { return name_; }
+
+    /// Bumper to bumper, d_f + d_r. [m]
+    [[nodiscard]] double length() const { return dimensions_.front + dimensions_.rear; }
+    /// r = b / tan(phi_max): radius of the rear axle centre's tightest circle. [m]
+    [[nodiscard]] double turning_radius() const;
+    /// d = 2 sqrt((r + w/2)^2 + b^2): diameter of the outer front wheel's tightest circle, as data sheets print it. [m]
+    [[nodiscard]] double curb_to_curb() const;
+
+private:
+    CarDimensions dimensions_;
+    std::string name_;
+};
+
+/// Corners of the car frame at a pose, counter-clockwise: front-left, rear-left, rear-right, front-right. [m]
+std::array<Point, 4> frame(const Car& car, const Pose& pose);
+
+/// Steering angle [rad] whose rear axle centre turns with the given radius [m].
+double steer_for_turning_radius(double wheelbase, double radius);
+/// Steering angle [rad] of a car with the given curb-to-curb diameter [m]; NaN when no steering reaches it.
+double steer_for_curb_to_curb(double wheelbase, double width, double diameter);
+
+/// The five cars of the paper's table 1, in its order.
+std::vector<Car> catalogue();
+/// The catalogue's car of that name.
+std::optional<Car> find_car(std::string_view name);
+/// The catalogue's name closest in spelling to what was typed.
+std::string nearest_car_name(std::string_view typed);
+
+}  // namespace snug

@@ -1,0 +1,37 @@
+// First contact: how far a car can drive with one steering angle before its frame touches something.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "snug/car.hpp"
+#include "snug/maneuver.hpp"
+#include "snug/slot.hpp"
+
+namespace snug {
+
+/// A stretch of a move, as distances from its start. [m]
+struct Stretch {
+    double from = 0.0;
+    double to = 0.0;
+};
+
+/// What happens on one move with constant steering.
+struct FirstContact {
+    /// Path of the rear axle centre until contact [m]; 0 when the car touches and would move in, infinity when it never
+    /// touches anything (a full circle, or straight away).
+    double distance = std::numeric_limits<double>::infinity();
+    std::optional<Contact> contact;
+    /// The first stretch of the move, up to the contact, over which the whole frame is inside the slot.
+    std::optional<Stretch> inside;
+};
+
+/// Where a car at `pose` (world frame) that drives one way with `steering_angle` (|angle| <= max_steer, positive to the
+/// left, 0 straight) [rad] first touches the curb or a neighbour. In closed form (theory: every contact is a point
+/// crossing a line while moving on a circle). Touching is no contact while the car moves away; a pose that overlaps an
+/// obstacle by more than 1e-9 of the car's length is in contact at distance 0. `clearance` [m] grows the frame on every
+/// side for contacts, not for being inside.
+FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, Direction direction,
+                           double steering_angle, double clearance = 0.0);
+
+}  // namespace snug

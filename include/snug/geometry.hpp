@@ -1,0 +1,27 @@
+// Points and poses: the plain data every other header builds on.
+#pragma once
+
+namespace snug {
+
+/// A point in the plane. [m]
+struct Point {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+/// Where a car stands: the middle of its rear axle [m] and its heading [rad], counter-clockwise from the x axis.
+struct Pose {
+    double x = 0.0;
+    double y = 0.0;
+    double heading = 0.0;
+};
+
+/// An axis-parallel rectangle. [m]
+struct Box {
+    double x_min = 0.0;
+    double x_max = 0.0;
+    double y_min = 0.0;
+    double y_max = 0.0;
+};
+
+}  // namespace snug

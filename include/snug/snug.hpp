@@ -1,0 +1,13 @@
+// Everything: the exact solver for parallel parking.
+#pragma once
+
+#include "snug/car.hpp"
+#include "snug/contact.hpp"
+#include "snug/entry.hpp"
+#include "snug/error.hpp"
+#include "snug/geometry.hpp"
+#include "snug/maneuver.hpp"
+#include "snug/max_steer.hpp"
+#include "snug/slot.hpp"
+#include "snug/stepping.hpp"
+#include "snug/version.hpp"
