@@ -1,0 +1,23 @@
+// How many random cases a test runs: a seeded sample, or all of them in a soak.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+namespace snug::test {
+
+inline bool is_set(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && std::string_view(value) == "1";
+}
+
+/// `full` with SNUG_SOAK=1, a tenth of the sample with SNUG_SMALL=1 (sanitizers), else `usual`.
+inline int sample(int usual, int full) {
+    if (is_set("SNUG_SOAK")) {
+        return full;
+    }
+    return is_set("SNUG_SMALL") ? std::max(1, usual / 10) : usual;
+}
+
+}  // namespace snug::test
