@@ -1,0 +1,46 @@
+# A thin front: every target sets itself up, then CMake's presets do the work.
+.PHONY: build demo test soak bench format clean setup check-format check-tidy
+.NOTPARALLEL:
+
+JOBS := $(shell nproc)
+SOURCES = $(shell find . -path ./build -prune -o -path ./out -prune -o -name '*.[ch]pp' -print)
+
+build: setup
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS)
+
+# Solves a slot, prints the answer, writes a picture.
+demo: build
+	@mkdir -p out
+	build/release/snug entry --car mid-size --length 5.1 --width 2.2 --draw out/demo.svg
+	@echo "The picture is out/demo.svg"
+
+# Everything that can fail, the quickest first.
+test: check-format check-tidy build
+	ctest --preset release --parallel $(JOBS)
+	cmake --preset sanitize
+	cmake --build --preset sanitize --parallel $(JOBS)
+	ctest --preset sanitize --parallel $(JOBS)
+
+# The random checks with their full number.
+soak: build
+	ctest --preset soak --parallel $(JOBS)
+
+bench: build
+	build/release/snug_bench
+
+format: setup
+	clang-format -i $(SOURCES)
+
+clean:
+	rm -rf build out
+
+setup:
+	@setup/install.sh
+
+check-format: setup
+	clang-format --dry-run -Werror $(SOURCES)
+
+check-tidy: setup
+	cmake --preset release
+	printf '%s\n' src/*.cpp | xargs -P $(JOBS) -n 1 clang-tidy --quiet --warnings-as-errors='*' -p build/release
