@@ -296,6 +296,7 @@ Place<Real> entry_place(const Problem<Real>& problem, Real heading) {
             s * problem.grown.rear + c * problem.grown.side, -heading};
 }
 
+/// With `graze` the run also tells how close it comes to another outcome, and looks at all of its last move.
 template <class Real>
 void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>& out, bool graze = false) {
     out.outcome = snug::Outcome::no_entry;
@@ -321,6 +322,7 @@ void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>&
         Leg<Real> leg{{place, radius, direction}, 0, {}};
         leg.drive = drive(problem, leg.path, {true, graze});
         out.graze = std::min(out.graze, leg.drive.graze);
+        if (graze && std::isfinite(leg.drive.inside_from)) leg.drive = drive(problem, leg.path);  // how deep inside
         if (leg.drive.least_top < out.least_top) out.least_top = leg.drive.least_top, out.least_move = changes;
         out.itinerary = (out.itinerary ^ std::uint64_t(leg.drive.kind + 2)) * 0x9E3779B97F4A7C15ULL;
         if (std::isfinite(leg.drive.inside_from)) {
