@@ -1,0 +1,62 @@
+// The head of a picture: which car, which slot, and the answer in one line.
+#include "header.hpp"
+
+namespace snug::drawing {
+namespace {
+
+std::string name_of(const Car& car) {
+    return car.name().empty() ? "Unnamed car" : car.name();
+}
+
+/// Where the slot lies in the world, when that is not the default.
+std::string placement(const Slot& slot, const Unit& unit) {
+    const Point p = slot.corner();
+    std::string text;
+    if (p.x != 0.0 || p.y != 0.0) {
+        const auto coordinate = [&](double value) { return number(value / unit.metres, unit.decimals); };
+        text += ", corner at (" + coordinate(p.x) + ", " + coordinate(p.y) + ") " + std::string(unit.name);
+    }
+    if (slot.heading() != 0.0) text += ", parallel heading " + degrees_label(slot.heading());
+    return text;
+}
+
+}  // namespace
+
+std::string picture_title(const Car& car, const Slot& slot, const Unit& unit) {
+    return name_of(car) + ", slot " + size_label(slot.length(), slot.width(), unit);
+}
+
+void draw_header(cairo_t* canvas, const Car& car, const Slot& slot, const Unit& unit, std::string_view answer,
+                 const PictureOptions& options) {
+    const double width = page_width - 2 * margin;
+    const TextStyle title = {type::title, palette::ink, true};
+    write(canvas, {margin, 26.0}, fitted(canvas, name_of(car), title, width), title);
+
+    const TextStyle bold = {type::normal + 1.5, palette::ink, true};
+    const std::string shown = fitted(canvas, answer, bold, width);
+    write(canvas, {margin, 47.0}, shown, bold);
+
+    std::string facts = "car " + size_label(car.length(), car.width(), unit) + ", turning radius " +
+                        length_label(car.turning_radius(), unit) + "; slot " +
+                        size_label(slot.length(), slot.width(), unit) + " on the " +
+                        (slot.side() == Side::left ? "left" : "right") + ", entered " +
+                        (options.enter == Enter::forward ? "nose first" : "tail first");
+    if (options.clearance > 0.0) facts += ", clearance " + length_label(options.clearance, unit);
+    const TextStyle plain = {type::normal - 0.5, palette::faint_ink};
+    write(canvas, {margin, 64.0}, fitted(canvas, facts + placement(slot, unit), plain, width), plain);
+}
+
+std::string verdict(const Car& car, const Slot& slot, const EntryAnswer& answer, const PictureOptions& options) {
+    if (answer.cancelled) return "no answer: the question was given up";
+    if (answer.parkable) return "the car can park; no maneuver is given";
+    const double c = 2 * options.clearance;
+    const double longer = car.length() + c - slot.length();
+    const double wider = car.width() + options.clearance - slot.width();
+    const Unit unit = unit_for(car.length());
+    std::string text = "cannot park";
+    if (longer > 0.0) text += ", the slot is " + path_label(longer, unit) + " too short";
+    if (wider > 0.0) text += std::string(longer > 0.0 ? " and " : ", the slot is ") + path_label(wider, unit) + " too narrow";
+    return text;
+}
+
+}  // namespace snug::drawing

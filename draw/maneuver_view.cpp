@@ -1,0 +1,229 @@
+// The picture of one maneuver: from the entry position to the goal, move by move.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "canvas.hpp"
+#include "car_shape.hpp"
+#include "header.hpp"
+#include "labels.hpp"
+#include "legs.hpp"
+#include "moves_table.hpp"
+#include "path.hpp"
+#include "scene.hpp"
+#include "snug/draw.hpp"
+#include "view.hpp"
+
+namespace snug {
+namespace drawing {
+namespace {
+
+constexpr double key_height = 30.0;
+constexpr std::size_t many_moves = 4;  ///< from here on the path is shown enlarged
+
+struct Stage {
+    const Car& car;
+    const Slot& slot;
+    const std::vector<Leg>& legs;
+    const PictureOptions& options;
+};
+
+/// Text along the road side of a car frame.
+void write_beside(cairo_t* canvas, const View& view, const Stage& stage, const Pose& pose, std::string_view text,
+                  const TextStyle& style) {
+    const double side = stage.slot.mirrored(stage.car.width() / 2 + stage.options.clearance);
+    const Point front = on_page(view, stage.slot, pose, {stage.car.front(), side});
+    const Point rear = on_page(view, stage.slot, pose, {-stage.car.rear(), side});
+    const double sign = front.x >= rear.x ? 1.0 : -1.0;
+    const Saved saved(canvas);
+    cairo_translate(canvas, (front.x + rear.x) / 2, (front.y + rear.y) / 2);
+    cairo_rotate(canvas, std::atan2(sign * (front.y - rear.y), sign * (front.x - rear.x)));
+    write(canvas, {0.0, -10.0}, text, style);
+}
+
+void draw_entry(cairo_t* canvas, const View& view, const Stage& stage, const Pose& pose, double steering) {
+    draw_car(canvas, view, stage.car, stage.slot, pose,
+             {palette::entry.faded(0.13), palette::entry.faded(0.40), palette::entry.faded(0.18), line::hair});
+    draw_wheels(canvas, view, stage.car, stage.slot, pose, steering, palette::entry.faded(0.5));
+    trace_frame(canvas, view, stage.car, stage.slot, pose);
+    stroke(canvas, palette::entry, line::frame + 0.4);
+}
+
+void draw_goal(cairo_t* canvas, const View& view, const Stage& stage, const Pose& pose) {
+    draw_car(canvas, view, stage.car, stage.slot, pose,
+             {palette::goal.faded(0.14), palette::goal.faded(0.45), palette::goal.faded(0.20), line::hair});
+    trace_frame(canvas, view, stage.car, stage.slot, pose);
+    stroke(canvas, palette::goal, line::frame + 0.4);
+}
+
+/// The frames at the direction changes, later ones darker.
+void draw_stops(cairo_t* canvas, const View& view, const Stage& stage) {
+    const auto last = static_cast<double>(stage.legs.back().number);
+    for (const Leg& leg : stage.legs) {
+        if (!leg.turns_at_end) continue;
+        trace_frame(canvas, view, stage.car, stage.slot, leg.move->end);
+        stroke(canvas, palette::ink.faded(0.16 + 0.34 * leg.number / last), line::hair);
+    }
+}
+
+/// Room for the enlarged path: the road above a neighbour, on the side where the car does not stand out.
+std::optional<Box> free_road(const View& view, const Stage& stage, const Box& driven) {
+    constexpr double gap = 10.0;
+    const bool beside_rear = stage.options.enter == Enter::backward;
+    const double inner = view({beside_rear ? std::min(-stage.slot.length(), driven.x_min) : std::max(0.0, driven.x_max), 0.0}).x;
+    const Box page = view.page();
+    const bool on_left = beside_rear != view.turned;
+    const Box box = {on_left ? page.x_min + gap : inner + gap, on_left ? inner - gap : page.x_max - gap,
+                     page.y_min + gap, view({0.0, 0.0}).y - gap};
+    if (box.x_max - box.x_min < 140.0 || box.y_max - box.y_min < 120.0) return std::nullopt;
+    return box;
+}
+
+/// With clearance, the grown frame is what touches.
+void draw_grown(cairo_t* canvas, const View& view, const Stage& stage, const Pose& pose, Color color) {
+    if (!(stage.options.clearance > 0.0)) return;
+    const Saved saved(canvas);
+    const double pattern[] = {0.5, 3.0};
+    cairo_set_dash(canvas, pattern, 2, 0.0);
+    trace_frame(canvas, view, stage.car, stage.slot, pose, stage.options.clearance);
+    stroke(canvas, color, 1.2);
+}
+
+void draw_stage(cairo_t* canvas, const View& view, const Stage& stage, const Box& driven) {
+    draw_ground(canvas, view, stage.car, stage.slot);
+    const Saved saved(canvas);
+    clip_to(canvas, view);
+    const Move& first = *stage.legs.front().move;
+    const Pose entry = first.start;
+    const Pose goal = stage.legs.back().move->end;
+    draw_goal(canvas, view, stage, goal);
+    draw_entry(canvas, view, stage, entry, first.steering_angle);
+    draw_stops(canvas, view, stage);
+    draw_grown(canvas, view, stage, entry, palette::entry);
+    draw_grown(canvas, view, stage, goal, palette::goal);
+    draw_slot(canvas, view, stage.slot);
+    for (const Leg& leg : stage.legs) {
+        if (leg.move->contact) {
+            draw_contact(canvas, contact_point(view, stage.car, stage.slot, *leg.move, stage.options.clearance));
+        }
+    }
+    draw_paths(canvas, view, stage.car, stage.slot, stage.legs);
+    std::optional<Box> room;
+    if (stage.legs.size() >= many_moves) room = free_road(view, stage, driven);
+    if (room) {
+        draw_contact_numbers(canvas, view, stage.car, stage.slot, stage.legs, stage.options.clearance);
+        draw_enlarged_path(canvas, *room, stage.car, stage.slot, stage.legs);
+    } else {
+        draw_numbers(canvas, view, stage.slot, stage.legs, view.page());
+    }
+    draw_cross(canvas, view, stage.slot, entry, palette::entry_text);
+    draw_cross(canvas, view, stage.slot, goal, palette::goal_text);
+    write_beside(canvas, view, stage, entry,
+                 "entry position, heading " + degrees_label(std::abs(stage.slot.to_slot(entry).heading)),
+                 {type::normal, palette::entry_text, true, Align::center, true});
+    write(canvas, on_page(view, stage.slot, goal, {0.82 * stage.car.front(), 0.0}), "goal",
+          {type::normal, palette::goal_text, true, Align::center, true});
+}
+
+/// What the signs in the picture mean.
+void draw_key(cairo_t* canvas, Point at, bool has_clearance) {
+    const TextStyle style = {type::small, palette::faint_ink};
+    const auto item = [&](double width, std::string_view text) {
+        at.x += width + 6.0;
+        write(canvas, at, text, style);
+        at.x += text_width(canvas, text, style) + 20.0;
+    };
+    const auto sample = [&](Color color, double thickness, double width) {
+        trace_box(canvas, {at.x, at.x + width, at.y - 4.5, at.y + 4.5});
+        stroke(canvas, color, thickness);
+    };
+    draw_path_sample(canvas, {at.x + 26.0, at.y}, {at.x, at.y}, Direction::backward);
+    item(26.0, "driven backward");
+    draw_path_sample(canvas, at, {at.x + 26.0, at.y}, Direction::forward);
+    item(26.0, "driven forward");
+    sample(palette::ink.faded(0.5), line::hair, 20.0);
+    item(20.0, "frame at a direction change");
+    draw_contact(canvas, {at.x + 5.0, at.y});
+    item(10.0, "contact");
+    draw_line(canvas, {at.x, at.y}, {at.x + 10.0, at.y}, palette::ink, 1.3);
+    draw_line(canvas, {at.x + 5.0, at.y - 5.0}, {at.x + 5.0, at.y + 5.0}, palette::ink, 1.3);
+    item(10.0, "rear axle centre");
+    if (has_clearance) {
+        const Saved saved(canvas);
+        const double pattern[] = {0.5, 3.0};
+        cairo_set_dash(canvas, pattern, 2, 0.0);
+        sample(palette::ink, 1.2, 20.0);
+        item(20.0, "frame with clearance");
+    }
+}
+
+std::string draw_driven(const Slot& slot, const Maneuver& maneuver, PictureFormat format, const PictureOptions& options) {
+    const Car& car = maneuver.car;
+    const std::vector<Leg> legs = legs_of(maneuver);
+    const Stage stage = {car, slot, legs, options};
+    const Unit unit = unit_for(car.length());
+    const Box driven = swept(maneuver, slot);
+    const View view = view_of(car, slot, driven, stage_panel);
+    const Box page = view.page();
+
+    const double table_top = page.y_max + key_height + 14.0;
+    const double height = table_top + table_height(legs.size()) + margin;
+    const std::string facts = changes_label(maneuver.direction_changes()) + ", entry heading " +
+                              degrees_label(std::abs(slot.to_slot(maneuver.entry()).heading)) + ", " +
+                              path_label(maneuver.length(), unit) + " driven";
+    return to_bytes({page_width, height}, format, picture_title(car, slot, unit) + ": " + facts, [&](cairo_t* canvas) {
+        draw_header(canvas, car, slot, unit, facts, options);
+        draw_stage(canvas, view, stage, driven);
+        draw_dimensions(canvas, view, slot, unit);
+        draw_scale_bar(canvas, view, {page.x_max - 14.0, page.y_max - 16.0});
+        draw_key(canvas, {page.x_min, page.y_max + key_height / 2 + 2.0}, options.clearance > 0.0);
+        draw_table(canvas, {margin, table_top}, page_width - 2 * margin, maneuver, slot, legs, unit);
+    });
+}
+
+/// The slot, and the car beside it where it would have to begin.
+std::string draw_unparked(const Car& car, const Slot& slot, std::string_view why, PictureFormat format,
+                          const PictureOptions& options) {
+    const std::vector<Leg> legs;
+    const Stage stage = {car, slot, legs, options};
+    const Unit unit = unit_for(car.length());
+    const Pose entry = entry_position(car, slot, 0.0, options);
+    const View view = view_of(car, slot, box_of(car, slot, entry), stage_panel);
+    const Box page = view.page();
+    const std::string title = picture_title(car, slot, unit) + ": " + std::string(why);
+    return to_bytes({page_width, page.y_max + margin}, format, title, [&](cairo_t* canvas) {
+        draw_header(canvas, car, slot, unit, why, options);
+        draw_ground(canvas, view, car, slot);
+        {
+            const Saved saved(canvas);
+            clip_to(canvas, view);
+            draw_entry(canvas, view, stage, entry, 0.0);
+            draw_grown(canvas, view, stage, entry, palette::entry);
+            draw_cross(canvas, view, slot, entry, palette::entry_text);
+            draw_slot(canvas, view, slot);
+            write_beside(canvas, view, stage, entry, "parallel entry position",
+                         {type::normal, palette::entry_text, true, Align::center, true});
+        }
+        draw_dimensions(canvas, view, slot, unit);
+        draw_scale_bar(canvas, view, {page.x_max - 14.0, page.y_max - 16.0});
+    });
+}
+
+}  // namespace
+}  // namespace drawing
+
+std::string draw_maneuver(const Car& car, const Slot& slot, const EntryAnswer& answer, PictureFormat format,
+                          const PictureOptions& options) {
+    if (answer.maneuver && !answer.maneuver->moves.empty()) {
+        return drawing::draw_driven(slot, *answer.maneuver, format, options);
+    }
+    return drawing::draw_unparked(car, slot, drawing::verdict(car, slot, answer, options), format, options);
+}
+
+std::string draw_maneuver(const Slot& slot, const Maneuver& maneuver, PictureFormat format,
+                          const PictureOptions& options) {
+    if (!maneuver.moves.empty()) return drawing::draw_driven(slot, maneuver, format, options);
+    return drawing::draw_unparked(maneuver.car, slot, "no maneuver", format, options);
+}
+
+}  // namespace snug

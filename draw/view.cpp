@@ -1,0 +1,139 @@
+// Which part of the slot frame is seen, where on the page, and how a car's own frame lands there.
+#include "view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace snug::drawing {
+namespace {
+
+constexpr double above = 26.0;  // room on the page above what is needed
+constexpr double below = 58.0;  // and below the curb, for the dimensions
+
+/// A corner or the middle of an edge of the car frame, grown by the clearance, in the car's own frame.
+Point part_of(const Car& car, CarPart part, double clearance) {
+    const double front = car.front() + clearance;
+    const double rear = -car.rear() - clearance;
+    const double left = car.width() / 2 + clearance;
+    switch (part) {
+        case CarPart::front_left_corner: return {front, left};
+        case CarPart::rear_left_corner: return {rear, left};
+        case CarPart::rear_right_corner: return {rear, -left};
+        case CarPart::front_right_corner: return {front, -left};
+        case CarPart::front_edge: return {front, 0.0};
+        case CarPart::left_edge: return {(front + rear) / 2, left};
+        case CarPart::rear_edge: return {rear, 0.0};
+        case CarPart::right_edge: return {(front + rear) / 2, -left};
+    }
+    return {};
+}
+
+Point in_world(const Pose& pose, const Point& in_car) {
+    const double c = std::cos(pose.heading);
+    const double s = std::sin(pose.heading);
+    return {pose.x + c * in_car.x - s * in_car.y, pose.y + s * in_car.x + c * in_car.y};
+}
+
+}  // namespace
+
+Point View::operator()(const Point& p) const {
+    const double along = turned ? seen.x_max - p.x : p.x - seen.x_min;
+    return {top_left.x + along * scale, top_left.y + (seen.y_max - p.y) * scale};
+}
+
+Box View::page() const {
+    return {top_left.x, top_left.x + (seen.x_max - seen.x_min) * scale, top_left.y,
+            top_left.y + (seen.y_max - seen.y_min) * scale};
+}
+
+View view_of(const Car& car, const Slot& slot, const Box& needed, const Panel& panel) {
+    const double length = car.length();
+    const double around = 2.5 * length;
+    Box seen;
+    seen.x_min = std::max(std::min(-slot.length(), needed.x_min) - length / 2, needed.x_min - around);
+    seen.x_max = std::min(std::max(0.0, needed.x_max) + length / 2, needed.x_max + around);
+    seen.y_min = std::max(std::min(-slot.width(), needed.y_min), needed.y_min - length);
+    seen.y_max = std::max(needed.y_max, std::min(0.6 * car.width(), needed.y_min + 2.0 * length));
+
+    View view;
+    view.turned = slot.side() == Side::left;
+    view.top_left = panel.top_left;
+    view.scale = std::min(panel.width / (seen.x_max - seen.x_min),
+                          (panel.max_height - above - below) / (seen.y_max - seen.y_min));
+    const double spare = panel.width / view.scale - (seen.x_max - seen.x_min);
+    view.seen = {seen.x_min - spare / 2, seen.x_max + spare / 2, seen.y_min - below / view.scale,
+                 seen.y_max + above / view.scale};
+    return view;
+}
+
+Point on_page(const View& view, const Slot& slot, const Pose& pose, const Point& in_car) {
+    return view(slot.to_slot(in_world(pose, in_car)));
+}
+
+cairo_matrix_t placed(const View& view, const Slot& slot, const Pose& pose) {
+    // Through the slot frame, where numbers stay small even if the slot lies far out in the world.
+    const Pose at = slot.to_slot(pose);
+    const double across = slot.mirrored(1.0);  // the car's left as the slot frame sees it
+    const Point origin = view({at.x, at.y});
+    const double x = view.turned ? -view.scale : view.scale;
+    const double c = std::cos(at.heading);
+    const double s = std::sin(at.heading);
+    cairo_matrix_t matrix;
+    cairo_matrix_init(&matrix, x * c, -view.scale * s, -x * s * across, -view.scale * c * across, origin.x, origin.y);
+    return matrix;
+}
+
+Pose entry_position(const Car& car, const Slot& slot, double heading, const PictureOptions& options) {
+    // Entering nose first is the mirror image of entering tail first: the other end of the car at the other corner.
+    const bool nose_first = options.enter == Enter::forward;
+    const double reach = (nose_first ? car.rear() : car.front()) + options.clearance;
+    const double side = car.width() / 2 + options.clearance;
+    const double x = -reach * std::cos(heading) - side * std::sin(heading);
+    const double y = -reach * std::sin(heading) + side * std::cos(heading);
+    return slot.to_world(nose_first ? Pose{-slot.length() - x, y, -heading} : Pose{x, y, heading});
+}
+
+bool is_possible_entry(const Car& car, const Slot& slot, double heading, double clearance) {
+    const double length = car.length() + 2 * clearance;
+    const double width = car.width() + 2 * clearance;
+    const double c = std::cos(heading);
+    const double s = std::sin(heading);
+    const bool clear_of_curb = length * s <= slot.width();
+    const bool short_of_neighbour = length * c + width * s <= slot.length();
+    const bool above_neighbour = slot.length() * c >= length;
+    return heading == 0.0 || (clear_of_curb && (short_of_neighbour || above_neighbour));
+}
+
+Box box_of(const Car& car, const Slot& slot, const Pose& pose) {
+    const auto corners = frame(car, pose);
+    const Point first = slot.to_slot(corners[0]);
+    Box box = {first.x, first.x, first.y, first.y};
+    for (const Point& corner : corners) {
+        const Point p = slot.to_slot(corner);
+        box = joined(box, {p.x, p.x, p.y, p.y});
+    }
+    return box;
+}
+
+Box joined(const Box& a, const Box& b) {
+    return {std::min(a.x_min, b.x_min), std::max(a.x_max, b.x_max), std::min(a.y_min, b.y_min),
+            std::max(a.y_max, b.y_max)};
+}
+
+std::vector<Point> path_of(const View& view, const Car& car, const Slot& slot, const Move& move) {
+    constexpr int pieces = 48;
+    std::vector<Point> points;
+    for (int i = 0; i <= pieces; ++i) {
+        const Pose pose = drive(car, move.start, move.direction, move.steering_angle, move.length * i / pieces);
+        points.push_back(view(slot.to_slot(Point{pose.x, pose.y})));
+    }
+    return points;
+}
+
+Point contact_point(const View& view, const Car& car, const Slot& slot, const Move& move, double clearance) {
+    if (move.contact->obstacle == Obstacle::front_corner) return view({0.0, 0.0});
+    if (move.contact->obstacle == Obstacle::rear_corner) return view({-slot.length(), 0.0});
+    return on_page(view, slot, move.end, part_of(car, move.contact->part, clearance));
+}
+
+}  // namespace snug::drawing

@@ -1,0 +1,48 @@
+// Pictures of parking: one maneuver, or the set of entry positions, as SVG, PDF or PNG.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "snug/car.hpp"
+#include "snug/entry.hpp"
+#include "snug/maneuver.hpp"
+#include "snug/max_steer.hpp"
+#include "snug/slot.hpp"
+
+namespace snug {
+
+enum class PictureFormat { svg, pdf, png };
+
+/// The format a file name asks for by its extension (.svg, .pdf, .png in any case); empty for any other.
+std::optional<PictureFormat> picture_format(std::string_view file_name);
+
+/// What the answer was asked with.
+struct PictureOptions {
+    Enter enter = Enter::backward;  ///< tail or nose first
+    double clearance = 0.0;         ///< grows the frame for contacts and for the entry position [m]
+};
+
+// All pictures lie in the slot's own frame with the road at the top, whatever the slot's corner and heading. A slot on
+// the right is seen by cars that drive to the right, one on the left by cars that drive to the left; nothing is mirrored.
+// Colours follow the paper: the slot is blue, entry positions are orange, goal positions green.
+//
+// They return the bytes of the whole file; the same input gives the same bytes. They throw std::runtime_error when Cairo
+// fails (out of memory).
+
+/// The answer's maneuver: slot and neighbours, entry and goal, the path of the rear axle centre, the frame at every
+/// direction change, contacts, and a table of the moves. A car that cannot park stands at the parallel entry position.
+std::string draw_maneuver(const Car& car, const Slot& slot, const EntryAnswer& answer, PictureFormat format,
+                          const PictureOptions& options = {});
+
+/// The same for any maneuver. One without moves shows the car at the parallel entry position.
+std::string draw_maneuver(const Slot& slot, const Maneuver& maneuver, PictureFormat format,
+                          const PictureOptions& options = {});
+
+/// The paper's first two figures side by side: possible entry positions, and those found with their goal positions;
+/// below them the headings on a scale.
+std::string draw_entries(const Car& car, const Slot& slot, const EntryAnswer& answer, PictureFormat format,
+                         const PictureOptions& options = {});
+
+}  // namespace snug
