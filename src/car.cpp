@@ -1,14 +1,13 @@
 // Which cars can exist, how tightly they turn, and the five cars of the paper.
 #include "snug/car.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "check.hpp"
+#include "spelling.hpp"
 
 namespace snug {
 namespace {
@@ -27,22 +26,6 @@ void check_steer(double max_steer) {
     throw Error("car max_steer is " + spelled(max_steer) + " rad (" + spelled(max_steer / degree) +
                 " degrees), but must lie between " + spelled(least_steer_deg) + " and " + spelled(most_steer_deg) +
                 " degrees");
-}
-
-/// Levenshtein's distance: how many letters to insert, delete or replace.
-std::size_t spelling_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row[b.size()];
 }
 
 }  // namespace
@@ -78,7 +61,8 @@ double steer_for_curb_to_curb(double wheelbase, double width, double diameter) {
     // The outer front wheel runs on a circle of half the diameter, one wheelbase ahead of the rear axle's line.
     const double outer = diameter / 2.0;
     const double radius = std::sqrt((outer - wheelbase) * (outer + wheelbase)) - width / 2.0;
-    return radius > 0.0 ? steer_for_turning_radius(wheelbase, radius) : std::numeric_limits<double>::quiet_NaN();
+    return diameter > 0.0 && radius > 0.0 ? steer_for_turning_radius(wheelbase, radius)
+                                          : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<Car> catalogue() {
@@ -101,11 +85,11 @@ std::optional<Car> find_car(std::string_view name) {
 }
 
 std::string nearest_car_name(std::string_view typed) {
-    const std::vector<Car> cars = catalogue();
-    const auto nearest = std::min_element(cars.begin(), cars.end(), [&](const Car& a, const Car& b) {
-        return spelling_distance(a.name(), typed) < spelling_distance(b.name(), typed);
-    });
-    return nearest->name();
+    std::vector<std::string> names;
+    for (const Car& car : catalogue()) {
+        names.push_back(car.name());
+    }
+    return nearest_word(typed, names);
 }
 
 }  // namespace snug

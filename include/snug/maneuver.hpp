@@ -69,10 +69,11 @@ struct Maneuver {
     /// Path of the rear axle centre. [m]
     [[nodiscard]] double length() const;
     /// Poses along the way, at most `spacing` [m] apart, with both ends of every move.
+    /// Throws Error when the spacing is less than 1e-9 m or no number.
     [[nodiscard]] std::vector<Pose> poses(double spacing) const;
 };
 
-/// The smallest box around everything the car frame covers, exactly: in the world frame,
+/// The smallest box around everything the car frame covers, exactly (all zero without a move): in the world frame,
 Box swept(const Maneuver& maneuver);
 /// and in the frame of a slot, where y_max is how far the car swings out into the road.
 Box swept(const Maneuver& maneuver, const Slot& slot);
