@@ -8,6 +8,8 @@
 //   - A frame d away from the sides of the slot cannot intersect them in the next d / reach steps, `reach` being the most
 //     any point of it moves in one. Those steps are driven without looking, which changes no answer.
 //
+// What limits it then is the chain of rotations, each waiting for the last, and the dozen or so looks of a move.
+//
 // Everything happens in the slot frame (see slot.hpp); entering nose first is the mirrored slot and the swapped car.
 #include "snug/stepping.hpp"
 
