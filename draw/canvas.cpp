@@ -23,11 +23,17 @@ void set_font(cairo_t* canvas, const TextStyle& style) {
 std::size_t character_length(std::string_view text) {
     const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);
-    if (lead < 0x80) return 1;
+    if (lead < 0x80) {
+        return 1;
+    }
     const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
+    if (lead < 0xc2 || lead > 0xf4 || text.size() < length) {
+        return 0;
+    }
     for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xc0) != 0x80) return 0;
+        if ((byte(i) & 0xc0) != 0x80) {
+            return 0;
+        }
     }
     // Overlong forms, surrogates, and beyond the last code point.
     const unsigned char second = byte(1);
@@ -39,8 +45,12 @@ std::size_t character_length(std::string_view text) {
 }
 
 void drop_last_character(std::string& text) {
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
-    if (!text.empty()) text.pop_back();
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) {
+        text.pop_back();
+    }
+    if (!text.empty()) {
+        text.pop_back();
+    }
 }
 
 }  // namespace
@@ -64,8 +74,12 @@ void fill_and_stroke(cairo_t* canvas, Color inside, Color outline, double width)
 
 void trace(cairo_t* canvas, const std::vector<Point>& points, bool closed) {
     cairo_new_path(canvas);
-    for (const Point& p : points) cairo_line_to(canvas, p.x, p.y);
-    if (closed) cairo_close_path(canvas);
+    for (const Point& p : points) {
+        cairo_line_to(canvas, p.x, p.y);
+    }
+    if (closed) {
+        cairo_close_path(canvas);
+    }
 }
 
 void trace_box(cairo_t* canvas, const Box& box) {
@@ -90,7 +104,9 @@ void draw_line(cairo_t* canvas, Point from, Point to, Color color, double width)
 
 void trace_arrow_head(cairo_t* canvas, Point tip, double dx, double dy, double size) {
     const double length = std::hypot(dx, dy);
-    if (!(length > 0.0)) return;
+    if (!(length > 0.0)) {
+        return;
+    }
     const double ux = dx / length * size;
     const double uy = dy / length * size;
     trace(canvas,
@@ -140,7 +156,9 @@ void write(cairo_t* canvas, Point at, std::string_view text, const TextStyle& st
 
 std::string fitted(cairo_t* canvas, std::string_view text, const TextStyle& style, double width) {
     std::string whole = clean_text(text.substr(0, 1000));  // no page shows more, and the cut below takes its time
-    if (text.size() <= 1000 && text_width(canvas, whole, style) <= width) return whole;
+    if (text.size() <= 1000 && text_width(canvas, whole, style) <= width) {
+        return whole;
+    }
     std::string cut;
     do {
         drop_last_character(whole);

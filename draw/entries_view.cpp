@@ -21,6 +21,7 @@ constexpr std::size_t frames_shown = 14;
 constexpr double gutter = 24.0;
 constexpr double caption_height = 40.0;
 constexpr double scale_height = 128.0;
+constexpr double lone_scale_height = 62.0;  ///< with nothing to enlarge
 
 /// Headings from parallel to the largest possible, evenly spread, and where they stop being possible.
 std::vector<double> possible_headings(const Car& car, const Slot& slot, double clearance) {
@@ -28,22 +29,30 @@ std::vector<double> possible_headings(const Car& car, const Slot& slot, double c
     std::vector<double> possible;
     for (int i = 0; i <= samples; ++i) {
         const double heading = std::numbers::pi / 2 * i / samples;
-        if (is_possible_entry(car, slot, heading, clearance)) possible.push_back(heading);
+        if (is_possible_entry(car, slot, heading, clearance)) {
+            possible.push_back(heading);
+        }
     }
     return possible;
 }
 
 std::vector<double> picked(const std::vector<double>& all, std::size_t most) {
-    if (all.size() <= most) return all;
+    if (all.size() <= most) {
+        return all;
+    }
     std::vector<double> some;
-    for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * (all.size() - 1) / (most - 1)]);
+    for (std::size_t i = 0; i < most; ++i) {
+        some.push_back(all[i * (all.size() - 1) / (most - 1)]);
+    }
     return some;
 }
 
 /// Headings spread over all ranges as their widths ask for, at least the middle of each.
 std::vector<double> found_headings(const std::vector<HeadingRange>& ranges) {
     double total = 0.0;
-    for (const HeadingRange& range : ranges) total += range.max - range.min;
+    for (const HeadingRange& range : ranges) {
+        total += range.max - range.min;
+    }
     std::vector<double> headings;
     for (const HeadingRange& range : ranges) {
         const double share = total > 0.0 ? (range.max - range.min) / total : 0.0;
@@ -61,11 +70,15 @@ std::vector<Pose> goals_of(const Car& car, const Slot& slot, const std::vector<d
     MaxSteerOptions asked;
     asked.clearance = options.clearance;
     asked.enter = options.enter;
-    for (const HeadingRange& range : answer.ranges) asked.max_changes = std::max(asked.max_changes, range.direction_changes);
+    for (const HeadingRange& range : answer.ranges) {
+        asked.max_changes = std::max(asked.max_changes, range.direction_changes);
+    }
     std::vector<Pose> goals;
     for (const double heading : headings) {
         const MaxSteerRun run = max_steer(car, slot, heading, asked);
-        if (run.outcome == Outcome::parked) goals.push_back(run.maneuver.goal());
+        if (run.outcome == Outcome::parked) {
+            goals.push_back(run.maneuver.goal());
+        }
     }
     return goals;
 }
@@ -77,7 +90,9 @@ void draw_frames(cairo_t* canvas, const View& view, const Car& car, const Slot& 
         trace_frame(canvas, view, car, slot, pose);
         stroke(canvas, color.faded(alpha), line::thin + 0.3);
     }
-    for (const Pose& pose : poses) draw_cross(canvas, view, slot, pose, cross);
+    for (const Pose& pose : poses) {
+        draw_cross(canvas, view, slot, pose, cross);
+    }
 }
 
 struct Panes {
@@ -110,20 +125,33 @@ void draw_pane(cairo_t* canvas, const View& view, const Car& car, const Slot& sl
     draw_slot(canvas, view, slot);
 }
 
-std::string found_label(const EntryAnswer& answer) {
-    if (answer.ranges.empty()) return "none";
+/// Headings from the first range to the last, with as many digits as tell them apart.
+std::string headings_label(const std::vector<HeadingRange>& ranges) {
+    if (ranges.empty()) {
+        return "none";
+    }
+    double narrowest = std::numbers::pi;
+    for (const HeadingRange& range : ranges) {
+        narrowest = std::min(narrowest, range.max - range.min);
+    }
+    const double digits = 2.0 - std::log10(std::max(narrowest, 1e-12) * 180.0 / std::numbers::pi);
+    const int decimals = std::clamp(static_cast<int>(digits), 2, 14);
+    const std::string ends = "headings from " + degrees_label(ranges.front().min, decimals) + " to " +
+                             degrees_label(ranges.back().max, decimals);
+    return ranges.size() == 1 ? ends : ends + " in " + std::to_string(ranges.size()) + " ranges";
+}
+
+std::string headline_of(const Car& car, const Slot& slot, const EntryAnswer& answer, const PictureOptions& options) {
+    if (answer.ranges.empty()) {
+        return verdict(car, slot, answer, options);
+    }
     int fewest = answer.ranges.front().direction_changes;
     int most = fewest;
     for (const HeadingRange& range : answer.ranges) {
         fewest = std::min(fewest, range.direction_changes);
         most = std::max(most, range.direction_changes);
     }
-    std::string label = fewest == most ? changes_label(fewest)
-                                       : std::to_string(fewest) + " to " + changes_label(most);
-    label += ", heading " + degrees_label(answer.ranges.front().min, 3) + " to " +
-             degrees_label(answer.ranges.back().max, 3);
-    if (answer.ranges.size() > 1) label += " in " + std::to_string(answer.ranges.size()) + " ranges";
-    return label;
+    return "parks with " + (fewest == most ? "" : std::to_string(fewest) + " to ") + changes_label(most);
 }
 
 }  // namespace
@@ -136,7 +164,9 @@ std::string draw_entries(const Car& car, const Slot& slot, const EntryAnswer& an
     const std::vector<double> found = found_headings(answer.ranges);
     const auto entries_at = [&](const std::vector<double>& headings) {
         std::vector<Pose> poses;
-        for (const double heading : headings) poses.push_back(entry_position(car, slot, heading, options));
+        for (const double heading : headings) {
+            poses.push_back(entry_position(car, slot, heading, options));
+        }
         return poses;
     };
     const std::vector<Pose> possible_entries = entries_at(picked(possible, frames_shown));
@@ -144,36 +174,38 @@ std::string draw_entries(const Car& car, const Slot& slot, const EntryAnswer& an
     const std::vector<Pose> goals = goals_of(car, slot, found, answer, options);
 
     Box needed = box_of(car, slot, possible_entries.front());
-    for (const Pose& pose : possible_entries) needed = joined(needed, box_of(car, slot, pose));
-    for (const Pose& pose : goals) needed = joined(needed, box_of(car, slot, pose));
+    for (const Pose& pose : possible_entries) {
+        needed = joined(needed, box_of(car, slot, pose));
+    }
+    for (const Pose& pose : goals) {
+        needed = joined(needed, box_of(car, slot, pose));
+    }
     const View left = view_of(car, slot, needed, panes().possible);
     const View right = view_of(car, slot, needed, panes().found);
     const double scale_top = left.page().y_max + 22.0;
+    const double bottom = scale_top + (answer.ranges.empty() ? lone_scale_height : scale_height);
 
     const Unit unit = unit_for(car.length());
-    const std::string headline = answer.ranges.empty()
-                                     ? verdict(car, slot, answer, options)
-                                     : "Entry positions: " + found_label(answer);
+    const std::string headline = headline_of(car, slot, answer, options);
     const std::string largest = degrees_label(possible.back());
-    return to_bytes({page_width, scale_top + scale_height}, format, picture_title(car, slot, unit) + ": " + headline,
-                    [&](cairo_t* canvas) {
-                        draw_header(canvas, car, slot, unit, headline, options);
-                        draw_caption(canvas, left, "Possible entry positions",
-                                     possible.size() > 1 ? "headings from parallel, 0\u00b0, to " + largest
-                                                         : "the parallel heading alone");
-                        draw_pane(canvas, left, car, slot, possible_entries, {});
-                        draw_caption(canvas, right,
-                                     goals.empty() ? "Entry positions found" : "Entry positions found, with their goals in green",
-                                     found_label(answer));
-                        draw_pane(canvas, right, car, slot, found_entries, goals);
-                        for (const View& view : {left, right}) {
-                            draw_length(canvas, view, slot, unit);
-                            const Box page = view.page();
-                            draw_scale_bar(canvas, view, {page.x_max - 12.0, page.y_max - 14.0});
-                        }
-                        draw_heading_scale(canvas, {margin, page_width - margin, scale_top, scale_top + scale_height - margin},
-                                           possible, answer.ranges);
-                    });
+    return to_bytes(
+        {page_width, bottom}, format, picture_title(car, slot, unit) + ": " + headline, [&](cairo_t* canvas) {
+            draw_header(canvas, car, slot, unit, headline, options);
+            draw_caption(
+                canvas, left, "Possible entry positions",
+                possible.size() > 1 ? "headings from parallel, 0\u00b0, to " + largest : "the parallel heading alone");
+            draw_pane(canvas, left, car, slot, possible_entries, {});
+            draw_caption(canvas, right,
+                         goals.empty() ? "Entry positions found" : "Entry positions found, with their goals in green",
+                         headings_label(answer.ranges));
+            draw_pane(canvas, right, car, slot, found_entries, goals);
+            for (const View& view : {left, right}) {
+                draw_length(canvas, view, slot, unit);
+                draw_scale(canvas, view, slot);
+            }
+            draw_heading_scale(canvas, {margin, page_width - margin, scale_top, bottom - margin}, possible,
+                               answer.ranges);
+        });
 }
 
 }  // namespace snug

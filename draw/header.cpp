@@ -4,9 +4,7 @@
 namespace snug::drawing {
 namespace {
 
-std::string name_of(const Car& car) {
-    return car.name().empty() ? "Unnamed car" : car.name();
-}
+std::string name_of(const Car& car) { return car.name().empty() ? "Unnamed car" : car.name(); }
 
 /// Where the slot lies in the world, when that is not the default.
 std::string placement(const Slot& slot, const Unit& unit) {
@@ -16,7 +14,9 @@ std::string placement(const Slot& slot, const Unit& unit) {
         const auto coordinate = [&](double value) { return number(value / unit.metres, unit.decimals); };
         text += ", corner at (" + coordinate(p.x) + ", " + coordinate(p.y) + ") " + std::string(unit.name);
     }
-    if (slot.heading() != 0.0) text += ", parallel heading " + degrees_label(slot.heading());
+    if (slot.heading() != 0.0) {
+        text += ", parallel heading " + degrees_label(slot.heading());
+    }
     return text;
 }
 
@@ -41,21 +41,29 @@ void draw_header(cairo_t* canvas, const Car& car, const Slot& slot, const Unit& 
                         size_label(slot.length(), slot.width(), unit) + " on the " +
                         (slot.side() == Side::left ? "left" : "right") + ", entered " +
                         (options.enter == Enter::forward ? "nose first" : "tail first");
-    if (options.clearance > 0.0) facts += ", clearance " + length_label(options.clearance, unit);
+    if (options.clearance > 0.0) {
+        facts += ", clearance " + length_label(options.clearance, unit);
+    }
     const TextStyle plain = {type::normal - 0.5, palette::faint_ink};
     write(canvas, {margin, 64.0}, fitted(canvas, facts + placement(slot, unit), plain, width), plain);
 }
 
 std::string verdict(const Car& car, const Slot& slot, const EntryAnswer& answer, const PictureOptions& options) {
-    if (answer.cancelled) return "no answer: the question was given up";
-    if (answer.parkable) return "the car can park; no maneuver is given";
-    const double c = 2 * options.clearance;
-    const double longer = car.length() + c - slot.length();
-    const double wider = car.width() + options.clearance - slot.width();
+    if (answer.cancelled) {
+        return "no answer: the question was given up";
+    }
+    if (answer.parkable) {
+        return "the car can park; no maneuver is given";
+    }
+    const Shortfall lacking = shortfall(car, slot, options.clearance);
     const Unit unit = unit_for(car.length());
     std::string text = "cannot park";
-    if (longer > 0.0) text += ", the slot is " + path_label(longer, unit) + " too short";
-    if (wider > 0.0) text += std::string(longer > 0.0 ? " and " : ", the slot is ") + path_label(wider, unit) + " too narrow";
+    if (lacking.length > 0.0) {
+        text += ", the slot is " + path_label(lacking.length, unit) + " too short";
+    }
+    if (lacking.width > 0.0) {
+        text += (lacking.length > 0.0 ? " and " : ", the slot is ") + path_label(lacking.width, unit) + " too narrow";
+    }
     return text;
 }
 

@@ -17,7 +17,7 @@ inline constexpr Panel stage_panel = {{margin, header_height}, page_width - 2 * 
 
 void draw_header(cairo_t* canvas, const Car& car, const Slot& slot, const Unit& unit, std::string_view answer,
                  const PictureOptions& options);
-/// "renault-zoe, slot 4.50 × 2.00 m"
+/// "renault-zoe, slot 4.50 m × 2.00 m"
 std::string picture_title(const Car& car, const Slot& slot, const Unit& unit);
 /// What an answer without a maneuver means.
 std::string verdict(const Car& car, const Slot& slot, const EntryAnswer& answer, const PictureOptions& options);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double band = 12.0;
+constexpr TextStyle label = {type::small, palette::faint_ink, true, Align::right};
 
 /// A horizontal axis of headings.
 struct Axis {
@@ -26,12 +27,14 @@ struct Axis {
     }
 };
 
-/// 1, 2 or 5 times a power of ten [degrees] so that some ten ticks fit.
+/// 1, 2 or 5 times a power of ten [degrees] so that some seven ticks fit.
 double tick_step(double span) {
-    const double rough = span / degree / 10.0;
+    const double rough = span / degree / 7.0;
     const double power = std::pow(10.0, std::floor(std::log10(rough)));
     for (const double lead : {1.0, 2.0, 5.0}) {
-        if (lead * power >= rough) return lead * power;
+        if (lead * power >= rough) {
+            return lead * power;
+        }
     }
     return 10.0 * power;
 }
@@ -44,11 +47,13 @@ void draw_ticks(cairo_t* canvas, const Axis& axis) {
     const double first = std::ceil(axis.from / degree / step - 1e-6);
     for (int i = 0; i < 24; ++i) {
         const double value = (first + i) * step;
-        if (value * degree > axis.to * (1.0 + 1e-9)) break;
+        if (value * degree > axis.to + 1e-6 * (axis.to - axis.from)) {
+            break;
+        }
         const double x = axis.at(value * degree);
         draw_line(canvas, {x, below}, {x, below + 3.5}, palette::faint_ink, line::hair);
         write(canvas, {x, below + 10.5}, number(value, decimals) + "\u00b0",
-              {type::tiny, palette::faint_ink, false, Align::center});
+              {type::tiny, palette::faint_ink, false, Align::center, true});
     }
 }
 
@@ -63,7 +68,9 @@ void draw_possible(cairo_t* canvas, const Axis& axis, const std::vector<double>&
     const double spacing = 1.5 * std::numbers::pi / 2 / 4000.0;
     for (std::size_t i = 0; i < possible.size();) {
         std::size_t end = i;
-        while (end + 1 < possible.size() && possible[end + 1] - possible[end] < spacing) ++end;
+        while (end + 1 < possible.size() && possible[end + 1] - possible[end] < spacing) {
+            ++end;
+        }
         if (possible[end] >= axis.from && possible[i] <= axis.to) {
             draw_band(canvas, axis, possible[i], possible[end], palette::entry.faded(0.22), 1.0);
         }
@@ -73,7 +80,9 @@ void draw_possible(cairo_t* canvas, const Axis& axis, const std::vector<double>&
 
 /// Ranges side by side differ in their count, which is written above where there is room.
 void draw_found(cairo_t* canvas, const Axis& axis, const std::vector<HeadingRange>& ranges, bool with_counts) {
-    if (ranges.empty()) return;
+    if (ranges.empty()) {
+        return;
+    }
     int fewest = ranges.front().direction_changes;
     int most = fewest;
     for (const HeadingRange& range : ranges) {
@@ -97,21 +106,9 @@ void draw_found(cairo_t* canvas, const Axis& axis, const std::vector<HeadingRang
     }
 }
 
-}  // namespace
-
-void draw_heading_scale(cairo_t* canvas, const Box& box, const std::vector<double>& possible,
-                        const std::vector<HeadingRange>& ranges) {
-    const TextStyle label = {type::small, palette::faint_ink, true, Align::right};
-    constexpr double labels = 150.0;
-    const double largest = std::max(possible.back(), ranges.empty() ? 0.0 : ranges.back().max);
-    const Axis all = {0.0, std::min(std::numbers::pi / 2, std::max(degree, std::ceil(largest / degree / 5.0) * 5.0 * degree)),
-                      box.x_min + labels, box.x_max - 12.0, box.y_min + 14.0};
-    write(canvas, {all.left - 12.0, all.y}, "entry headings", label);
-    draw_possible(canvas, all, possible);
-    draw_found(canvas, all, ranges, false);
-    draw_ticks(canvas, all);
-    if (ranges.empty()) return;
-
+/// The part of the axis with the ranges, drawn out below it.
+void draw_enlarged_scale(cairo_t* canvas, const Box& box, const Axis& all, const std::vector<double>& possible,
+                         const std::vector<HeadingRange>& ranges) {
     const double span = ranges.back().max - ranges.front().min;
     const double rim = std::max(0.15 * span, 1e-13);
     const Axis enlarged = {ranges.front().min - rim, ranges.back().max + rim, all.left, all.right, box.y_max - 18.0};
@@ -123,6 +120,24 @@ void draw_heading_scale(cairo_t* canvas, const Box& box, const std::vector<doubl
     draw_possible(canvas, enlarged, possible);
     draw_found(canvas, enlarged, ranges, true);
     draw_ticks(canvas, enlarged);
+}
+
+}  // namespace
+
+void draw_heading_scale(cairo_t* canvas, const Box& box, const std::vector<double>& possible,
+                        const std::vector<HeadingRange>& ranges) {
+    constexpr double labels = 150.0;
+    const double largest = std::max(possible.back(), ranges.empty() ? 0.0 : ranges.back().max);
+    const Axis all = {
+        0.0, std::min(std::numbers::pi / 2, std::max(5.0 * degree, std::ceil(largest / degree / 5.0) * 5.0 * degree)),
+        box.x_min + labels, box.x_max - 12.0, box.y_min + 14.0};
+    write(canvas, {all.left - 12.0, all.y}, "entry headings", label);
+    if (!ranges.empty()) {
+        draw_enlarged_scale(canvas, box, all, possible, ranges);
+    }
+    draw_possible(canvas, all, possible);
+    draw_found(canvas, all, ranges, false);
+    draw_ticks(canvas, all);
 }
 
 }  // namespace snug::drawing

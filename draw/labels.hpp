@@ -17,9 +17,9 @@ struct Unit {
 Unit unit_for(double size);
 /// Fixed decimals, whatever the locale; far too large or small numbers in exponent form.
 std::string number(double value, int decimals);
-/// "4.50 m": at least the unit's decimals, more where the value has them.
+/// "4.50 m": at least the unit's decimals, one more where the value has it; a smaller unit for what would round to 0.
 std::string length_label(double metres, const Unit& unit);
-/// "4.50 × 2.00 m"
+/// "4.50 m × 2.00 m"
 std::string size_label(double length, double width, const Unit& unit);
 /// "0.034 m": one decimal more than dimensions.
 std::string path_label(double metres, const Unit& unit);

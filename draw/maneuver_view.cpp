@@ -1,5 +1,6 @@
 // The picture of one maneuver: from the entry position to the goal, move by move.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -60,7 +61,9 @@ void draw_goal(cairo_t* canvas, const View& view, const Stage& stage, const Pose
 void draw_stops(cairo_t* canvas, const View& view, const Stage& stage) {
     const auto last = static_cast<double>(stage.legs.back().number);
     for (const Leg& leg : stage.legs) {
-        if (!leg.turns_at_end) continue;
+        if (!leg.turns_at_end) {
+            continue;
+        }
         trace_frame(canvas, view, stage.car, stage.slot, leg.move->end);
         stroke(canvas, palette::ink.faded(0.16 + 0.34 * leg.number / last), line::hair);
     }
@@ -70,21 +73,26 @@ void draw_stops(cairo_t* canvas, const View& view, const Stage& stage) {
 std::optional<Box> free_road(const View& view, const Stage& stage, const Box& driven) {
     constexpr double gap = 10.0;
     const bool beside_rear = stage.options.enter == Enter::backward;
-    const double inner = view({beside_rear ? std::min(-stage.slot.length(), driven.x_min) : std::max(0.0, driven.x_max), 0.0}).x;
+    const double inner =
+        view({beside_rear ? std::min(-stage.slot.length(), driven.x_min) : std::max(0.0, driven.x_max), 0.0}).x;
     const Box page = view.page();
     const bool on_left = beside_rear != view.turned;
     const Box box = {on_left ? page.x_min + gap : inner + gap, on_left ? inner - gap : page.x_max - gap,
                      page.y_min + gap, view({0.0, 0.0}).y - gap};
-    if (box.x_max - box.x_min < 140.0 || box.y_max - box.y_min < 120.0) return std::nullopt;
+    if (box.x_max - box.x_min < 140.0 || box.y_max - box.y_min < 120.0) {
+        return std::nullopt;
+    }
     return box;
 }
 
 /// With clearance, the grown frame is what touches.
 void draw_grown(cairo_t* canvas, const View& view, const Stage& stage, const Pose& pose, Color color) {
-    if (!(stage.options.clearance > 0.0)) return;
+    if (!(stage.options.clearance > 0.0)) {
+        return;
+    }
     const Saved saved(canvas);
-    const double pattern[] = {0.5, 3.0};
-    cairo_set_dash(canvas, pattern, 2, 0.0);
+    const std::array<double, 2> pattern = {0.5, 3.0};
+    cairo_set_dash(canvas, pattern.data(), 2, 0.0);
     trace_frame(canvas, view, stage.car, stage.slot, pose, stage.options.clearance);
     stroke(canvas, color, 1.2);
 }
@@ -109,7 +117,9 @@ void draw_stage(cairo_t* canvas, const View& view, const Stage& stage, const Box
     }
     draw_paths(canvas, view, stage.car, stage.slot, stage.legs);
     std::optional<Box> room;
-    if (stage.legs.size() >= many_moves) room = free_road(view, stage, driven);
+    if (stage.legs.size() >= many_moves) {
+        room = free_road(view, stage, driven);
+    }
     if (room) {
         draw_contact_numbers(canvas, view, stage.car, stage.slot, stage.legs, stage.options.clearance);
         draw_enlarged_path(canvas, *room, stage.car, stage.slot, stage.legs);
@@ -126,7 +136,7 @@ void draw_stage(cairo_t* canvas, const View& view, const Stage& stage, const Box
 }
 
 /// What the signs in the picture mean.
-void draw_key(cairo_t* canvas, Point at, bool has_clearance) {
+void draw_key(cairo_t* canvas, Point at, const View& view, bool has_clearance) {
     const TextStyle style = {type::small, palette::faint_ink};
     const auto item = [&](double width, std::string_view text) {
         at.x += width + 6.0;
@@ -137,10 +147,12 @@ void draw_key(cairo_t* canvas, Point at, bool has_clearance) {
         trace_box(canvas, {at.x, at.x + width, at.y - 4.5, at.y + 4.5});
         stroke(canvas, color, thickness);
     };
-    draw_path_sample(canvas, {at.x + 26.0, at.y}, {at.x, at.y}, Direction::backward);
-    item(26.0, "driven backward");
-    draw_path_sample(canvas, at, {at.x + 26.0, at.y}, Direction::forward);
-    item(26.0, "driven forward");
+    for (const Direction direction : {Direction::backward, Direction::forward}) {
+        const bool to_left = (direction == Direction::backward) != view.turned;
+        const Point end = {at.x + 26.0, at.y};
+        draw_path_sample(canvas, to_left ? end : at, to_left ? at : end, direction);
+        item(26.0, "driven " + std::string(to_string(direction)));
+    }
     sample(palette::ink.faded(0.5), line::hair, 20.0);
     item(20.0, "frame at a direction change");
     draw_contact(canvas, {at.x + 5.0, at.y});
@@ -150,14 +162,15 @@ void draw_key(cairo_t* canvas, Point at, bool has_clearance) {
     item(10.0, "rear axle centre");
     if (has_clearance) {
         const Saved saved(canvas);
-        const double pattern[] = {0.5, 3.0};
-        cairo_set_dash(canvas, pattern, 2, 0.0);
+        const std::array<double, 2> pattern = {0.5, 3.0};
+        cairo_set_dash(canvas, pattern.data(), 2, 0.0);
         sample(palette::ink, 1.2, 20.0);
         item(20.0, "frame with clearance");
     }
 }
 
-std::string draw_driven(const Slot& slot, const Maneuver& maneuver, PictureFormat format, const PictureOptions& options) {
+std::string draw_driven(const Slot& slot, const Maneuver& maneuver, PictureFormat format,
+                        const PictureOptions& options) {
     const Car& car = maneuver.car;
     const std::vector<Leg> legs = legs_of(maneuver);
     const Stage stage = {car, slot, legs, options};
@@ -175,8 +188,8 @@ std::string draw_driven(const Slot& slot, const Maneuver& maneuver, PictureForma
         draw_header(canvas, car, slot, unit, facts, options);
         draw_stage(canvas, view, stage, driven);
         draw_dimensions(canvas, view, slot, unit);
-        draw_scale_bar(canvas, view, {page.x_max - 14.0, page.y_max - 16.0});
-        draw_key(canvas, {page.x_min, page.y_max + key_height / 2 + 2.0}, options.clearance > 0.0);
+        draw_scale(canvas, view, slot);
+        draw_key(canvas, {page.x_min, page.y_max + key_height / 2 + 2.0}, view, options.clearance > 0.0);
         draw_table(canvas, {margin, table_top}, page_width - 2 * margin, maneuver, slot, legs, unit);
     });
 }
@@ -205,7 +218,7 @@ std::string draw_unparked(const Car& car, const Slot& slot, std::string_view why
                          {type::normal, palette::entry_text, true, Align::center, true});
         }
         draw_dimensions(canvas, view, slot, unit);
-        draw_scale_bar(canvas, view, {page.x_max - 14.0, page.y_max - 16.0});
+        draw_scale(canvas, view, slot);
     });
 }
 
@@ -222,7 +235,9 @@ std::string draw_maneuver(const Car& car, const Slot& slot, const EntryAnswer& a
 
 std::string draw_maneuver(const Slot& slot, const Maneuver& maneuver, PictureFormat format,
                           const PictureOptions& options) {
-    if (!maneuver.moves.empty()) return drawing::draw_driven(slot, maneuver, format, options);
+    if (!maneuver.moves.empty()) {
+        return drawing::draw_driven(slot, maneuver, format, options);
+    }
     return drawing::draw_unparked(maneuver.car, slot, "no maneuver", format, options);
 }
 

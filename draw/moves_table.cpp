@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "path.hpp"
 
@@ -10,12 +11,17 @@ namespace snug::drawing {
 namespace {
 
 constexpr double row_height = 17.0;
-constexpr std::size_t most_rows = 44;  ///< longer tables leave out their middle
+constexpr std::size_t most_rows = 60;  ///< longer tables leave out their middle
+constexpr std::size_t end_rows = 20;   ///< and show so many rows at either end
 
 std::string steering_label(const Car& car, double angle) {
-    if (angle == 0.0) return "straight";
+    if (angle == 0.0) {
+        return "straight";
+    }
     const std::string side = angle > 0.0 ? "left" : "right";
-    if (std::abs(angle) > car.max_steer() * (1.0 - 1e-9)) return "full " + side;
+    if (std::abs(angle) > car.max_steer() * (1.0 - 1e-9)) {
+        return "full " + side;
+    }
     return degrees_label(std::abs(angle), 1) + " " + side;
 }
 
@@ -32,10 +38,18 @@ void draw_contact_sign(cairo_t* canvas, Point middle, CarPart part, bool turned)
     double ahead = 0.0;
     double left = 0.0;
     using enum CarPart;
-    if (part == front_left_corner || part == front_edge || part == front_right_corner) ahead = 1.0;
-    if (part == rear_left_corner || part == rear_edge || part == rear_right_corner) ahead = -1.0;
-    if (part == front_left_corner || part == left_edge || part == rear_left_corner) left = 1.0;
-    if (part == front_right_corner || part == right_edge || part == rear_right_corner) left = -1.0;
+    if (part == front_left_corner || part == front_edge || part == front_right_corner) {
+        ahead = 1.0;
+    }
+    if (part == rear_left_corner || part == rear_edge || part == rear_right_corner) {
+        ahead = -1.0;
+    }
+    if (part == front_left_corner || part == left_edge || part == rear_left_corner) {
+        left = 1.0;
+    }
+    if (part == front_right_corner || part == right_edge || part == rear_right_corner) {
+        left = -1.0;
+    }
     draw_contact(canvas, {middle.x + nose * ahead * length / 2, middle.y - nose * left * width / 2});
 }
 
@@ -45,9 +59,9 @@ struct Columns {
 
 /// Where the rear axle centre is along the slot, on the page.
 struct Chart {
-    double first = 0.0;      ///< slot frame [m]
-    double scale = 0.0;      ///< points per metre
-    double left = 0.0;       ///< on the page
+    double first = 0.0;  ///< slot frame [m]
+    double scale = 0.0;  ///< points per metre
+    double left = 0.0;   ///< on the page
     bool turned = false;
     double width = 0.0;
 
@@ -74,8 +88,8 @@ Chart chart_of(const Columns& x, const Slot& slot, const std::vector<Leg>& legs)
     return chart;
 }
 
-void draw_row(cairo_t* canvas, const Columns& x, double y, const Chart& chart, const Maneuver& maneuver, const Slot& slot,
-              const Leg& leg, bool last, const Unit& unit) {
+void draw_row(cairo_t* canvas, const Columns& x, double y, const Chart& chart, const Maneuver& maneuver,
+              const Slot& slot, const Leg& leg, bool last, const Unit& unit) {
     const Move& move = *leg.move;
     const TextStyle plain = {type::small, palette::ink};
     const TextStyle figures = {type::small, palette::ink, false, Align::right};
@@ -85,9 +99,12 @@ void draw_row(cairo_t* canvas, const Columns& x, double y, const Chart& chart, c
     write(canvas, {x.steering, y}, steering_label(maneuver.car, move.steering_angle), plain);
     write(canvas, {x.length, y}, path_label(move.length, unit), figures);
     const double end = chart.at(slot, move.end);
-    if (!last) draw_line(canvas, {end, y}, {end, y + row_height}, palette::faint_ink.faded(0.6), line::hair);
+    if (!last) {
+        draw_line(canvas, {end, y}, {end, y + row_height}, palette::faint_ink.faded(0.6), line::hair);
+    }
     draw_path_sample(canvas, {chart.at(slot, move.start), y}, {end, y}, move.direction);
-    write(canvas, {x.heading, y}, degrees_label(slot.to_slot(move.end).heading), figures);
+    write(canvas, {x.heading, y}, degrees_label(std::remainder(slot.to_slot(move.end).heading, 2.0 * std::numbers::pi)),
+          figures);
     if (move.contact) {
         draw_contact_sign(canvas, {x.sign, y}, move.contact->part, slot.side() == Side::left);
         const std::string contact =
@@ -102,7 +119,7 @@ void draw_row(cairo_t* canvas, const Columns& x, double y, const Chart& chart, c
 }  // namespace
 
 double table_height(std::size_t moves) {
-    const std::size_t rows = moves > most_rows ? most_rows + 1 : moves;
+    const std::size_t rows = moves > most_rows ? 2 * end_rows + 1 : moves;
     return row_height * (static_cast<double>(rows) + 1.5);
 }
 
@@ -126,9 +143,9 @@ void draw_table(cairo_t* canvas, Point top_left, double width, const Maneuver& m
     y += row_height * 0.75;
 
     const Chart chart = chart_of(x, slot, legs);
-    const std::size_t left_out = legs.size() > most_rows ? legs.size() - most_rows : 0;
+    const std::size_t left_out = legs.size() > most_rows ? legs.size() - 2 * end_rows : 0;
     for (std::size_t i = 0; i < legs.size(); ++i) {
-        if (left_out > 0 && i == most_rows / 2) {
+        if (left_out > 0 && i == end_rows) {
             write(canvas, {x.direction, y}, std::to_string(left_out) + " more moves of this kind",
                   {type::small, palette::faint_ink});
             i += left_out;

@@ -13,12 +13,22 @@ namespace snug {
 
 std::optional<PictureFormat> picture_format(std::string_view file_name) {
     const auto dot = file_name.rfind('.');
-    if (dot == std::string_view::npos) return std::nullopt;
+    if (dot == std::string_view::npos) {
+        return std::nullopt;
+    }
     std::string extension(file_name.substr(dot + 1));
-    for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    if (extension == "svg") return PictureFormat::svg;
-    if (extension == "pdf") return PictureFormat::pdf;
-    if (extension == "png") return PictureFormat::png;
+    for (char& letter : extension) {
+        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+    if (extension == "svg") {
+        return PictureFormat::svg;
+    }
+    if (extension == "pdf") {
+        return PictureFormat::pdf;
+    }
+    if (extension == "png") {
+        return PictureFormat::png;
+    }
     return std::nullopt;
 }
 
@@ -69,10 +79,15 @@ Surface make_surface(PageSize size, PictureFormat format, const std::string& tit
 std::string escaped(std::string_view text) {
     std::string xml;
     for (const char c : text) {
-        if (c == '<') xml += "&lt;";
-        else if (c == '>') xml += "&gt;";
-        else if (c == '&') xml += "&amp;";
-        else xml += c;
+        if (c == '<') {
+            xml += "&lt;";
+        } else if (c == '>') {
+            xml += "&gt;";
+        } else if (c == '&') {
+            xml += "&amp;";
+        } else {
+            xml += c;
+        }
     }
     return xml;
 }
@@ -86,7 +101,9 @@ std::string renumbered(const std::string& svg) {
     for (std::size_t at = svg.find(word); at != std::string::npos; at = svg.find(word, at + 1)) {
         const std::size_t digits = at + word.size();
         const std::size_t end = svg.find_first_not_of("0123456789", digits);
-        if (end == digits || end == std::string::npos) continue;
+        if (end == digits || end == std::string::npos) {
+            continue;
+        }
         const auto [number, is_new] = numbers.try_emplace(svg.substr(digits, end - digits), numbers.size() + 1);
         out += svg.substr(done, digits - done) + std::to_string(number->second);
         done = end;
@@ -98,7 +115,9 @@ std::string renumbered(const std::string& svg) {
 std::string titled(std::string svg, std::string_view title) {
     const std::size_t root = svg.find("<svg");
     const std::size_t end = root == std::string::npos ? root : svg.find('>', root);
-    if (end != std::string::npos) svg.insert(end + 1, "\n<title>" + escaped(title) + "</title>");
+    if (end != std::string::npos) {
+        svg.insert(end + 1, "\n<title>" + escaped(title) + "</title>");
+    }
     return svg;
 }
 
@@ -112,7 +131,9 @@ std::string to_bytes(PageSize size, PictureFormat format, std::string_view title
     check(cairo_surface_status(surface.get()));
     {
         const Canvas canvas(cairo_create(surface.get()));
-        if (format == PictureFormat::png) cairo_scale(canvas.get(), pixels_per_point, pixels_per_point);
+        if (format == PictureFormat::png) {
+            cairo_scale(canvas.get(), pixels_per_point, pixels_per_point);
+        }
         // Letters keep their shape and place at every size.
         const FontOptions options(cairo_font_options_create());
         cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
@@ -126,7 +147,9 @@ std::string to_bytes(PageSize size, PictureFormat format, std::string_view title
         paint(canvas.get());
         check(cairo_status(canvas.get()));
     }
-    if (format == PictureFormat::png) check(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
+    if (format == PictureFormat::png) {
+        check(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
+    }
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()));
     return format == PictureFormat::svg ? titled(renumbered(bytes), clean_title) : bytes;

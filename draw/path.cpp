@@ -12,9 +12,7 @@ namespace {
 
 constexpr double badge_radius = 6.0;
 
-Color color_of(Direction direction) {
-    return direction == Direction::backward ? palette::backward : palette::forward;
-}
+Color color_of(Direction direction) { return direction == Direction::backward ? palette::backward : palette::forward; }
 
 /// Strokes the current path as the direction asks for.
 void stroke_path(cairo_t* canvas, Direction direction) {
@@ -40,7 +38,9 @@ double length_of(const std::vector<Point>& points) {
 /// An arrow head past the middle of the path, where the ends of the neighbouring moves do not hide it.
 void draw_arrow(cairo_t* canvas, const std::vector<Point>& points, Direction direction) {
     const double size = std::min(9.0, 0.5 * length_of(points));
-    if (size < 2.5) return;
+    if (size < 2.5) {
+        return;
+    }
     const std::size_t at = points.size() * 11 / 20;
     const Point& from = points[at - 1];
     const Point& to = points[at];
@@ -60,7 +60,7 @@ struct Number {
     const Leg* leg = nullptr;
 };
 
-constexpr double pitch = 2 * badge_radius + 2.0;
+constexpr double pitch = 2 * badge_radius + 2.5;
 
 /// As many of the numbers as there is room for, the first and the last among them.
 std::vector<Number> thinned(const std::vector<Number>& numbers, double room) {
@@ -93,11 +93,14 @@ void draw_badges(cairo_t* canvas, const std::vector<Number>& numbers, double acr
     std::stable_sort(shown.begin(), shown.end(),
                      [&](const Number& a, const Number& b) { return along(a.at) < along(b.at); });
     std::vector<double> places;
-    for (const Number& number : shown) places.push_back(along(number.at));
+    for (const Number& number : shown) {
+        places.push_back(along(number.at));
+    }
     if (!shown.empty()) {  // a crowd stays centred over its points
         const double middle = (places.front() + places.back()) / 2;
         const double reach = std::max(places.back() - places.front(), pitch * static_cast<double>(shown.size() - 1));
-        places = spread(places, std::max(least, middle - reach / 2), std::min(most, middle + reach / 2));
+        const double start = std::max(least, std::min(middle - reach / 2, most - reach));
+        places = spread(places, start, start + reach);
     }
     const auto badge = [&](std::size_t i) { return horizontal ? Point{places[i], across} : Point{across, places[i]}; };
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -115,7 +118,9 @@ void draw_paths(cairo_t* canvas, const View& view, const Car& car, const Slot& s
         trace(canvas, path_of(view, car, slot, *leg.move));
         stroke_path(canvas, leg.move->direction);
     }
-    for (const Leg& leg : legs) draw_arrow(canvas, path_of(view, car, slot, *leg.move), leg.move->direction);
+    for (const Leg& leg : legs) {
+        draw_arrow(canvas, path_of(view, car, slot, *leg.move), leg.move->direction);
+    }
 }
 
 void draw_path_sample(cairo_t* canvas, Point from, Point to, Direction direction) {
@@ -129,7 +134,10 @@ void draw_path_sample(cairo_t* canvas, Point from, Point to, Direction direction
 }
 
 void draw_badge(cairo_t* canvas, Point at, std::string_view label, Color color) {
-    const TextStyle style = {label.size() > 2 ? 6.5 : type::tiny, palette::paper, true, Align::center};
+    const TextStyle style = {label.size() > 2   ? 5.6
+                             : label.size() > 1 ? 7.0
+                                                : type::tiny,
+                             palette::paper, true, Align::center};
     cairo_new_path(canvas);
     cairo_arc(canvas, at.x, at.y, badge_radius, 0.0, 2.0 * std::numbers::pi);
     fill_and_stroke(canvas, color, palette::paper, 0.8);
@@ -142,7 +150,8 @@ void draw_contact(cairo_t* canvas, Point at) {
     fill_and_stroke(canvas, palette::contact, palette::ink, 0.9);
 }
 
-void draw_numbers(cairo_t* canvas, const View& view, const Slot& slot, const std::vector<Leg>& legs, const Box& within) {
+void draw_numbers(cairo_t* canvas, const View& view, const Slot& slot, const std::vector<Leg>& legs,
+                  const Box& within) {
     std::vector<Number> above;
     std::vector<Number> below;
     double top = within.y_max;
@@ -151,7 +160,9 @@ void draw_numbers(cairo_t* canvas, const View& view, const Slot& slot, const std
         const Point at = view(slot.to_slot(Point{leg.move->end.x, leg.move->end.y}));
         top = std::min(top, at.y);
         bottom = std::max(bottom, at.y);
-        if (leg.turns_at_end) (leg.move->direction == Direction::backward ? above : below).push_back({at, &leg});
+        if (leg.turns_at_end) {
+            (leg.move->direction == Direction::backward ? above : below).push_back({at, &leg});
+        }
     }
     const double least = within.x_min + pitch;
     const double most = within.x_max - pitch;
@@ -163,11 +174,15 @@ void draw_contact_numbers(cairo_t* canvas, const View& view, const Car& car, con
                           const std::vector<Leg>& legs, double clearance) {
     std::vector<Number> front;
     std::vector<Number> rear;
+    std::vector<Number> curb;
     for (const Leg& leg : legs) {
-        if (!leg.move->contact || leg.move->contact->obstacle == Obstacle::curb) continue;
+        if (!leg.move->contact) {
+            continue;
+        }
         const Obstacle met = leg.move->contact->obstacle;
         const bool at_front = met == Obstacle::front_side || met == Obstacle::front_corner;
-        (at_front ? front : rear).push_back({contact_point(view, car, slot, *leg.move, clearance), &leg});
+        std::vector<Number>& there = met == Obstacle::curb ? curb : at_front ? front : rear;
+        there.push_back({contact_point(view, car, slot, *leg.move, clearance), &leg});
     }
     const Box page = view.page();
     const double outward = view.turned ? -22.0 : 22.0;
@@ -175,9 +190,11 @@ void draw_contact_numbers(cairo_t* canvas, const View& view, const Car& car, con
     const double most = page.y_max - pitch;
     draw_badges(canvas, front, view({0.0, 0.0}).x + outward, false, least, most);
     draw_badges(canvas, rear, view({-slot.length(), 0.0}).x - outward, false, least, most);
+    draw_badges(canvas, curb, view({0.0, -slot.width()}).y + 18.0, true, page.x_min + pitch, page.x_max - pitch);
 }
 
-void draw_enlarged_path(cairo_t* canvas, const Box& box, const Car& car, const Slot& slot, const std::vector<Leg>& legs) {
+void draw_enlarged_path(cairo_t* canvas, const Box& box, const Car& car, const Slot& slot,
+                        const std::vector<Leg>& legs) {
     const Saved saved(canvas);
     trace_rounded(canvas, box, 6.0);
     fill_and_stroke(canvas, palette::slot_floor, palette::rule, line::thin);
@@ -206,8 +223,8 @@ void draw_enlarged_path(cairo_t* canvas, const Box& box, const Car& car, const S
     draw_paths(canvas, view, car, slot, legs);
     draw_numbers(canvas, view, slot, legs, {box.x_min, box.x_max, box.y_min + 20.0, box.y_max - 22.0});
     const TextStyle caption = {type::small, palette::faint_ink, true};
-    write(canvas, {box.x_min + 10.0, box.y_min + 13.0}, fitted(canvas, "Rear axle centre, enlarged", caption, width - 20.0),
-          caption);
+    write(canvas, {box.x_min + 10.0, box.y_min + 13.0},
+          fitted(canvas, "Rear axle centre, enlarged", caption, width - 20.0), caption);
     draw_scale_bar(canvas, view, {box.x_max - 10.0, box.y_max - 9.0}, width / 3);
 }
 

@@ -16,13 +16,14 @@ void draw_paths(cairo_t* canvas, const View& view, const Car& car, const Slot& s
 void draw_path_sample(cairo_t* canvas, Point from, Point to, Direction direction);
 /// Numbers of the direction changes, in rows above and below the path, within the box on the page.
 void draw_numbers(cairo_t* canvas, const View& view, const Slot& slot, const std::vector<Leg>& legs, const Box& within);
-/// Numbers of the moves that end in contact with a neighbour, beside the contacts.
+/// Numbers of the moves that end in contact, beside the contacts.
 void draw_contact_numbers(cairo_t* canvas, const View& view, const Car& car, const Slot& slot,
                           const std::vector<Leg>& legs, double clearance);
 void draw_badge(cairo_t* canvas, Point at, std::string_view label, Color color);
 /// A small diamond on what the car touches.
 void draw_contact(cairo_t* canvas, Point at);
 /// The path enlarged to fill the box on the page, with its own scale bar.
-void draw_enlarged_path(cairo_t* canvas, const Box& box, const Car& car, const Slot& slot, const std::vector<Leg>& legs);
+void draw_enlarged_path(cairo_t* canvas, const Box& box, const Car& car, const Slot& slot,
+                        const std::vector<Leg>& legs);
 
 }  // namespace snug::drawing

@@ -2,6 +2,7 @@
 #include "scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "car_shape.hpp"
@@ -27,7 +28,9 @@ void fill_box(cairo_t* canvas, const View& view, const Box& box, Color color) {
 
 void draw_curb(cairo_t* canvas, const View& view, const Slot& slot, double stone) {
     const double top = -slot.width();
-    if (top <= view.seen.y_min) return;
+    if (top <= view.seen.y_min) {
+        return;
+    }
     fill_box(canvas, view, {view.seen.x_min, view.seen.x_max, view.seen.y_min, top}, palette::sidewalk);
     const double thickness = 5.0 / view.scale;
     fill_box(canvas, view, {view.seen.x_min, view.seen.x_max, top - thickness, top}, palette::curb);
@@ -43,7 +46,9 @@ void draw_neighbours(cairo_t* canvas, const View& view, const Car& car, const Sl
     fill_box(canvas, view, {view.seen.x_min, -length, -slot.width(), 0.0}, palette::blocked);
     const CarLook look = {palette::neighbour, palette::neighbour_line, palette::neighbour_glass, line::hair};
     for (const double x : {car.rear(), -length - car.front()}) {
-        if (x - car.rear() > view.seen.x_max || x + car.front() < view.seen.x_min) continue;
+        if (x - car.rear() > view.seen.x_max || x + car.front() < view.seen.x_min) {
+            continue;
+        }
         draw_car(canvas, view, car, slot, slot.to_world(Pose{x, -car.width() / 2, 0.0}), look);
     }
 }
@@ -52,7 +57,9 @@ void draw_neighbours(cairo_t* canvas, const View& view, const Car& car, const Sl
 void draw_measure(cairo_t* canvas, Point from, Point to, bool from_open, bool to_open) {
     draw_line(canvas, from, to, palette::slot, line::thin);
     const double length = std::hypot(to.x - from.x, to.y - from.y);
-    if (!(length > 0.0)) return;
+    if (!(length > 0.0)) {
+        return;
+    }
     const Point across = {-(to.y - from.y) / length * 4.0, (to.x - from.x) / length * 4.0};
     const auto end = [&](Point at, double sign, bool open) {
         if (open) {
@@ -81,8 +88,8 @@ void draw_ground(cairo_t* canvas, const View& view, const Car& car, const Slot& 
     {
         const Saved dashed(canvas);
         const double dash = 0.35 * car.length() * view.scale;
-        const double pattern[] = {dash, dash};
-        cairo_set_dash(canvas, pattern, 2, 0.0);
+        const std::array<double, 2> pattern = {dash, dash};
+        cairo_set_dash(canvas, pattern.data(), 2, 0.0);
         cairo_set_line_cap(canvas, CAIRO_LINE_CAP_BUTT);
         const double lane = 1.75 * car.width();
         draw_line(canvas, view({view.seen.x_min, lane}), view({view.seen.x_max, lane}), palette::lane_line, 3.0);
@@ -102,8 +109,8 @@ void draw_slot(cairo_t* canvas, const View& view, const Slot& slot) {
     const double curb = std::max(-slot.width(), view.seen.y_min - margin);
     trace(canvas, {view({rear, 0.0}), view({rear, curb}), view({front, curb}), view({front, 0.0})});
     stroke(canvas, palette::slot, line::frame);
-    const double pattern[] = {5.0, 4.0};
-    cairo_set_dash(canvas, pattern, 2, 0.0);
+    const std::array<double, 2> pattern = {5.0, 4.0};
+    cairo_set_dash(canvas, pattern.data(), 2, 0.0);
     draw_line(canvas, view({rear, 0.0}), view({front, 0.0}), palette::slot, line::thin);
 }
 
@@ -134,18 +141,31 @@ void draw_dimensions(cairo_t* canvas, const View& view, const Slot& slot, const 
     const Point from = {x, view({0.0, 0.0}).y};
     const Point to = {x, view({0.0, curb}).y};
     draw_measure(canvas, from, to, false, curb > -slot.width());
-    write(canvas, {x + 8.0, (from.y + to.y) / 2}, length_label(slot.width(), unit), {type::normal, palette::slot, true});
+    write(canvas, {x + 8.0, (from.y + to.y) / 2}, length_label(slot.width(), unit),
+          {type::normal, palette::slot, true});
 }
 
 void draw_scale_bar(cairo_t* canvas, const View& view, Point right_end, double longest) {
     // A metre where that is neither a speck nor a street.
     const double metre = view.scale;
-    const RoundLength bar = metre >= 40.0 && metre <= longest ? round_length(1.0) : round_length(0.7 * longest / view.scale);
+    const RoundLength bar =
+        metre >= 40.0 && metre <= longest ? round_length(1.0) : round_length(0.7 * longest / view.scale);
     const double left = right_end.x - bar.metres * view.scale;
     trace(canvas, {{left, right_end.y - 4.0}, {left, right_end.y}, right_end, {right_end.x, right_end.y - 4.0}});
     stroke(canvas, palette::ink, 1.2);
     write(canvas, {(left + right_end.x) / 2, right_end.y - 8.0}, bar.label,
           {type::small, palette::ink, false, Align::center});
+}
+
+void draw_scale(cairo_t* canvas, const View& view, const Slot& slot) {
+    constexpr double room = 190.0;
+    const Box page = view.page();
+    const double front = view({0.0, 0.0}).x;
+    const double rear = view({-slot.length(), 0.0}).x;
+    const bool left_is_free = std::min(front, rear) > page.x_min + room;
+    const bool right_is_free = std::max(front, rear) < page.x_max - room;
+    const double right_end = left_is_free && !right_is_free ? page.x_min + room : page.x_max - 14.0;
+    draw_scale_bar(canvas, view, {right_end, page.y_max - 16.0});
 }
 
 }  // namespace snug::drawing

@@ -17,6 +17,8 @@ void draw_slot(cairo_t* canvas, const View& view, const Slot& slot);
 void draw_length(cairo_t* canvas, const View& view, const Slot& slot, const Unit& unit);
 /// The same, and the width to the right of the view.
 void draw_dimensions(cairo_t* canvas, const View& view, const Slot& slot, const Unit& unit);
+/// A scale bar in a lower corner of the view, clear of the slot where that can be.
+void draw_scale(cairo_t* canvas, const View& view, const Slot& slot);
 /// A bar of round length, a metre if that suits, that ends at the given point on the page.
 void draw_scale_bar(cairo_t* canvas, const View& view, Point right_end, double longest = 160.0);
 /// Clips to the view until the canvas is restored.

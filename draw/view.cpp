@@ -8,7 +8,7 @@ namespace snug::drawing {
 namespace {
 
 constexpr double above = 26.0;  // room on the page above what is needed
-constexpr double below = 58.0;  // and below the curb, for the dimensions
+constexpr double below = 66.0;  // and below the curb, for numbers and dimensions
 
 /// A corner or the middle of an edge of the car frame, grown by the clearance, in the car's own frame.
 Point part_of(const Car& car, CarPart part, double clearance) {
@@ -131,8 +131,12 @@ std::vector<Point> path_of(const View& view, const Car& car, const Slot& slot, c
 }
 
 Point contact_point(const View& view, const Car& car, const Slot& slot, const Move& move, double clearance) {
-    if (move.contact->obstacle == Obstacle::front_corner) return view({0.0, 0.0});
-    if (move.contact->obstacle == Obstacle::rear_corner) return view({-slot.length(), 0.0});
+    if (move.contact->obstacle == Obstacle::front_corner) {
+        return view({0.0, 0.0});
+    }
+    if (move.contact->obstacle == Obstacle::rear_corner) {
+        return view({-slot.length(), 0.0});
+    }
     return on_page(view, slot, move.end, part_of(car, move.contact->part, clearance));
 }
 

@@ -15,10 +15,10 @@ namespace snug::drawing {
 
 /// From the slot frame [m] to the page [points].
 struct View {
-    Box seen;              ///< part of the slot frame [m]
-    Point top_left;        ///< on the page
-    double scale = 1.0;    ///< points per metre
-    bool turned = false;   ///< slots on the left: x of the slot frame runs to the left on the page
+    Box seen;             ///< part of the slot frame [m]
+    Point top_left;       ///< on the page
+    double scale = 1.0;   ///< points per metre
+    bool turned = false;  ///< slots on the left: x of the slot frame runs to the left on the page
 
     Point operator()(const Point& p) const;
     [[nodiscard]] Box page() const;
