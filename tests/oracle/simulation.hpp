@@ -22,19 +22,18 @@ struct Problem {
     Gap<Real> gap;
     Real radius;
     snug::Enter enter = snug::Enter::backward;
+    /// Rounding: overlaps and moves smaller than this are none. [m]
+    Real forgiven = Real(sizeof(Real) > 8 ? 1e-15L : 1e-12L);
 };
 
 template <class Real>
 Problem<Real> make_problem(const snug::CarDimensions& car, double length, double width, double clearance = 0.0,
                            snug::Enter enter = snug::Enter::backward) {
     const Body<Real> body{Real(car.front), Real(car.rear), Real(car.width) / 2};
-    return {body, body.grown(Real(clearance)), {Real(length), Real(width)},
-            Real(car.wheelbase) / std::tan(Real(car.max_steer)), enter};
+    Problem<Real> problem{body, body.grown(Real(clearance)), {Real(length), Real(width)}, 0, enter};
+    problem.radius = Real(car.wheelbase) / std::tan(Real(car.max_steer));
+    return problem;
 }
-
-/// Rounding the simulation must forgive: overlaps and moves smaller than this are none. [m]
-template <class Real>
-constexpr Real forgiven = Real(sizeof(Real) > 8 ? 1e-15L : 1e-12L);
 
 /// Constant steering: the centre lies `radius` to the left (negative: to the right); infinite when straight.
 template <class Real>
@@ -217,7 +216,7 @@ Drive<Real> drive(const Problem<Real>& problem, const Path<Real>& path, Ask ask 
         const Place<Real> middle = path.at((m->distance + next) / 2);
         const std::array<Real, 3> d = depths(problem.grown, middle, problem.gap);
         const auto deepest = std::max_element(d.begin(), d.end());
-        if (*deepest > forgiven<Real>) {
+        if (*deepest > problem.forgiven) {
             result.contact = m->distance;
             result.kind = m->kind;
             result.block = Block(deepest - d.begin());
@@ -250,13 +249,13 @@ Drive<Real> drive(const Problem<Real>& problem, const Path<Real>& path, Ask ask 
         const Real at = turns.list[i].distance;
         if (at > end) continue;
         look(at);
-        if (ask.graze && at > forgiven<Real>)
+        if (ask.graze && at > problem.forgiven)
             for (const Real d : depths(problem.grown, path.at(at), problem.gap))
                 result.graze = std::min(result.graze, std::abs(d));
     }
     if (ask.graze)
-        for (auto m = first; m != last && m->distance < end - forgiven<Real>; ++m)
-            if (m->distance > forgiven<Real>)
+        for (auto m = first; m != last && m->distance < end - problem.forgiven; ++m)
+            if (m->distance > problem.forgiven)
                 for (const Real d : depths(problem.grown, path.at(m->distance), problem.gap))
                     result.graze = std::min(result.graze, std::abs(d));
     return result;
@@ -314,7 +313,7 @@ void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>&
     for (const Block block : {front_block, rear_block, curb_block}) {
         if (block == touched) continue;
         if (graze) out.graze = std::min(out.graze, std::abs(start[block]));
-        if (start[block] > forgiven<Real>) return;
+        if (start[block] > problem.forgiven) return;
     }
     int direction = problem.enter == snug::Enter::backward ? -1 : 1;
     Real radius = problem.radius;
@@ -336,7 +335,7 @@ void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>&
             out.outcome = snug::Outcome::never_touches;
             return;
         }
-        if (leg.drive.contact <= forgiven<Real>) {
+        if (leg.drive.contact <= problem.forgiven) {
             out.outcome = changes == 0 ? snug::Outcome::no_entry : snug::Outcome::stuck;
             return;
         }
