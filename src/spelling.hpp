@@ -32,9 +32,8 @@ inline std::string nearest_word(std::string_view typed, const std::vector<std::s
     const auto distance = [&](const std::string& word) {
         return typed.size() > 1 && word.find(typed) != word.npos ? 0 : spelling_distance(word, typed);
     };
-    return *std::min_element(words.begin(), words.end(), [&](const std::string& a, const std::string& b) {
-        return distance(a) < distance(b);
-    });
+    return *std::min_element(words.begin(), words.end(),
+                             [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
 }
 
 /// "a, b or c"

@@ -1,0 +1,103 @@
+// snug cars: the catalogue, or one car in detail.
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "cli/command.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/table.hpp"
+#include "snug/io.hpp"
+
+namespace snug::cli {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+constexpr const char* examples =
+    "A car file is a JSON object with lengths in metres and one of max_steer\n"
+    "(radians), max_steer_deg, turning_radius (of the rear axle centre) or\n"
+    "curb_to_curb (diameter, as data sheets give it); front and rear are measured\n"
+    "from the rear axle; name is optional:\n"
+    "  {\"name\": \"my-car\", \"width\": 1.8, \"front\": 3.6, \"rear\": 0.8, \"wheelbase\": 2.6,\n"
+    "   \"curb_to_curb\": 10.8}\n\n"
+    "Examples:\n"
+    "  snug cars\n"
+    "  snug cars renault-zoe --format json > my-car.json\n"
+    "  snug cars my-car.json\n\n"
+    "Exit codes: 0 done; 2 bad input.";
+
+std::string shown_name(const Car& car) { return car.name().empty() ? "(no name)" : car.name(); }
+
+std::string catalogue_text(const std::vector<Car>& cars) {
+    std::vector<std::vector<std::string>> rows = {
+        {"", "width", "front", "rear", "wheelbase", "max steer", "turning", "curb to", "length"},
+        {"", "w", "d_f", "d_r", "b", "phi_max", "radius", "curb", ""},
+        {"car", "[m]", "[m]", "[m]", "[m]", "[deg]", "[m]", "[m]", "[m]"}};
+    for (const Car& car : cars) {
+        rows.push_back({shown_name(car), fixed(car.width(), 3), fixed(car.front(), 3), fixed(car.rear(), 3),
+                        fixed(car.wheelbase(), 3), fixed(car.max_steer() / degree, 1), fixed(car.turning_radius(), 3),
+                        fixed(car.curb_to_curb(), 3), fixed(car.length(), 3)});
+    }
+    return table(rows, "lrrrrrrrr", 0);
+}
+
+std::string car_text(const Car& car) {
+    const auto metres = [](double length) { return fixed(length, 3) + " m"; };
+    return shown_name(car) + "\n\n" +
+           table({{"length", metres(car.length()), "bumper to bumper"},
+                  {"width", metres(car.width()), "w, without mirrors"},
+                  {"front", metres(car.front()), "d_f, from the rear axle to the front"},
+                  {"rear", metres(car.rear()), "d_r, from the rear axle to the back"},
+                  {"wheelbase", metres(car.wheelbase()), "b, between the axles"},
+                  {"max steer", fixed(car.max_steer() / degree, 3) + " deg", "phi_max, largest steering angle"},
+                  {"turning radius", metres(car.turning_radius()), "r, of the rear axle centre"},
+                  {"curb to curb", metres(car.curb_to_curb()), "d, diameter of the outer front wheel's circle"}},
+                 "lrl");
+}
+
+std::string csv(const std::vector<Car>& cars) {
+    std::string text = "name,width,front,rear,wheelbase,max_steer,max_steer_deg,turning_radius,curb_to_curb,length\n";
+    for (const Car& car : cars) {
+        text += csv_field(car.name());
+        for (const double value : {car.width(), car.front(), car.rear(), car.wheelbase(), car.max_steer(),
+                                   car.max_steer() / degree, car.turning_radius(), car.curb_to_curb(), car.length()}) {
+            text += ',' + write(value);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string json(const std::vector<Car>& cars) {
+    Json list = Json::array();
+    for (const Car& car : cars) {
+        list.push_back(as_json(car));
+    }
+    return write(list);
+}
+
+}  // namespace
+
+Action parse_cars(const Arguments& arguments) {
+    Options options("snug cars", "The cars snug knows, or one car in detail.", examples);
+    options.add_argument("NAME", "A car's name, or a JSON file; without it, all cars.");
+    add_output(options);
+    if (!options.read(arguments)) {
+        return say(options.help());
+    }
+    const std::string* name = options.typed("NAME");
+    const std::vector<Car> cars = name == nullptr ? catalogue() : std::vector<Car>{find_or_read_car(*name)};
+    std::string text;
+    switch (format(options)) {
+        case Format::text: text = name == nullptr ? catalogue_text(cars) : car_text(cars.front()); break;
+        case Format::json: text = name == nullptr ? json(cars) : write(as_json(cars.front())); break;
+        case Format::csv: text = csv(cars); break;
+    }
+    return [text, path = output(options)] {
+        put_out(path, text);
+        return solved;
+    };
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,22 @@
+// What `snug entry` is asked, and how its answer reads.
+#pragma once
+
+#include <string>
+
+#include "snug/entry.hpp"
+
+namespace snug::cli {
+
+struct EntryQuestion {
+    Car car;
+    Slot slot;
+    EntryOptions options;
+};
+
+/// What a person needs: where to put the car, how exactly, and move by move what to do. At most 80 columns.
+std::string entry_text(const EntryQuestion& question, const EntryAnswer& answer);
+
+/// One row per range of entry headings.
+std::string entry_csv(const EntryAnswer& answer);
+
+}  // namespace snug::cli

@@ -1,0 +1,217 @@
+// The answer in plain words: where to put the car, how exactly, and what to do move by move.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cli/entry.hpp"
+#include "cli/table.hpp"
+
+namespace snug::cli {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr std::size_t most_ranges = 20;
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string metres(double length) { return fixed(length, 3) + " m"; }
+
+std::string changes(int count) {
+    return count == 0 ? "no direction change" : std::to_string(count) + " direction change" + (count == 1 ? "" : "s");
+}
+
+/// Enough decimals to tell the ends of a range of headings apart. [rad] in, decimals of degrees out
+int decimals(double width) {
+    return width > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(width / degree))), 3, 12) : 12;
+}
+
+std::string neighbour(Obstacle obstacle) {
+    switch (obstacle) {
+        case Obstacle::front_side: return "front neighbour";
+        case Obstacle::rear_side: return "rear neighbour";
+        case Obstacle::front_corner: return "front slot corner";
+        case Obstacle::rear_corner: return "rear slot corner";
+        case Obstacle::curb: break;
+    }
+    return "curb";
+}
+
+std::string name(const Car& car) { return car.name().empty() ? "The car" : car.name(); }
+
+std::string slot_words(const Slot& slot) {
+    return "the " + fixed(slot.length(), 3) + " x " + metres(slot.width()) + " slot on the " +
+           (slot.side() == Side::right ? "right" : "left");
+}
+
+/// Where the frame is, in the slot frame: how far it keeps from each side, negative when beyond it.
+struct Gaps {
+    double front;
+    double rear;
+    double curb;
+    double road;  ///< how far it stands out into the road
+};
+
+Gaps gaps(const Car& car, const Slot& slot, const Pose& pose) {
+    Gaps gaps = {1e300, 1e300, 1e300, -1e300};
+    for (const Point& in_world : frame(car, pose)) {
+        const Point corner = slot.to_slot(in_world);
+        gaps.front = std::min(gaps.front, -corner.x);
+        gaps.rear = std::min(gaps.rear, corner.x + slot.length());
+        gaps.curb = std::min(gaps.curb, corner.y + slot.width());
+        gaps.road = std::max(gaps.road, corner.y);
+    }
+    return gaps;
+}
+
+/// Off parallel, in (-180, 180]. [deg]
+double off_parallel(const Slot& slot, const Pose& pose) {
+    return std::remainder(slot.to_slot(pose).heading, 2.0 * std::numbers::pi) / degree;
+}
+
+std::string too_small(const EntryQuestion& question, const Shortfall& lacking) {
+    std::string how = lacking.length > 0.0 ? metres(lacking.length) + " too short" : "";
+    how += lacking.length > 0.0 && lacking.width > 0.0 ? " and " : "";
+    how += lacking.width > 0.0 ? metres(lacking.width) + " too narrow" : "";
+    return "the slot is " + how + " for the car" + (question.options.clearance > 0.0 ? " with its clearance" : "");
+}
+
+std::string refusal(const EntryQuestion& question) {
+    const EntryOptions& options = question.options;
+    const Shortfall lacking = shortfall(question.car, question.slot, options.clearance);
+    std::string why;
+    if (lacking.length > 0.0 || lacking.width > 0.0) {
+        why = too_small(question, lacking);
+    } else if (options.min_range > 0.0) {
+        why = "no stretch of entry headings at least " +
+              fixed(options.min_range / degree, decimals(options.min_range)) + " deg wide\nparks with " +
+              (options.max_changes == 0 ? "" : "up to ") + changes(options.max_changes.value_or(200));
+    } else {
+        why = "no entry heading parks with " + std::string(options.max_changes == 0 ? "" : "up to ") +
+              changes(options.max_changes.value_or(200));
+    }
+    return name(question.car) + " cannot park in " + slot_words(question.slot) + ":\n" + why + ".\n";
+}
+
+/// The range the maneuver enters from: the widest of the fewest changes.
+const HeadingRange* best_range(const EntryAnswer& answer) {
+    const HeadingRange* best = nullptr;
+    for (const HeadingRange& range : answer.ranges) {
+        if (range.direction_changes == answer.direction_changes &&
+            (best == nullptr || range.max - range.min > best->max - best->min)) {
+            best = &range;
+        }
+    }
+    return best;
+}
+
+std::string entry_position(const EntryQuestion& question, const EntryAnswer& answer) {
+    const bool backward = question.options.enter == Enter::backward;
+    const std::string side = question.slot.side() == Side::right ? "right" : "left";
+    const std::string touching = backward ? "front" : "rear";
+    const Pose pose = answer.maneuver->entry();
+    const Pose in_slot = question.slot.to_slot(pose);
+    const Gaps room = gaps(question.car, question.slot, pose);
+
+    const double heading = std::abs(off_parallel(question.slot, pose));
+    const HeadingRange* range = best_range(answer);
+    const double spare = range == nullptr ? 0.0 : (range->max - range->min) / 2.0;
+    const int digits = decimals(spare);
+    Rows rows = {
+        {"corner", "put the car's " + touching + "-" + side + " corner at the slot's " + touching + " corner,"},
+        {"", question.options.clearance > 0.0 ? metres(question.options.clearance) + " off along and across the car"
+                                              : "where the " + touching + " neighbour begins"},
+        {"heading",
+         fixed(heading, digits) + " deg off parallel, the " + (backward ? "nose" : "tail") + " away from the curb"}};
+    if (range != nullptr) {
+        rows.push_back({"", "from " + fixed(range->min / degree, digits) + " to " + fixed(range->max / degree, digits) +
+                                " deg, so at most " + fixed(spare / degree, digits) + " deg off either way"});
+    }
+    rows.push_back({"rear axle", metres(std::abs(in_slot.x)) + (in_slot.x <= 0.0 ? " behind" : " ahead of") +
+                                     " the slot's front corner, " + metres(std::abs(in_slot.y)) +
+                                     (in_slot.y < 0.0 ? " inside the slot" : " out in the road")});
+    rows.push_back({"room", metres(backward ? room.rear : room.front) + " to the " + (backward ? "rear" : "front") +
+                                " neighbour, " + metres(room.curb) + " to the curb"});
+    rows.push_back({"road", "the car stands " + metres(room.road) + " out in the road"});
+    return "Where to enter\n" + table(rows, "ll");
+}
+
+std::string steering(const Car& car, double angle) {
+    if (angle == 0.0) {
+        return "straight";
+    }
+    const std::string side = angle > 0.0 ? "left" : "right";
+    const bool full = std::abs(angle) >= car.max_steer() * (1.0 - 1e-9);
+    return full ? "full " + side : side + " " + fixed(std::abs(angle) / degree, 1) + " deg";
+}
+
+std::string moves(const EntryQuestion& question, const Maneuver& maneuver) {
+    const double clearance = question.options.clearance;
+    Rows rows = {{"", "drive", "steering", "distance", "until"}};
+    for (const Move& move : maneuver.moves) {
+        std::string until = "stop here";
+        if (&move == &maneuver.moves.back()) {
+            until = "stop: parked";
+        } else if (move.contact) {
+            until = std::string(to_string(move.contact->part)) + (clearance > 0.0 ? " nears " : " meets ") +
+                    neighbour(move.contact->obstacle);
+        }
+        rows.push_back({std::to_string(rows.size()), std::string(to_string(move.direction)),
+                        steering(question.car, move.steering_angle), metres(move.length), until});
+    }
+    const std::string full = fixed(question.car.max_steer() / degree, 1) + " deg";
+    const std::string nearing = clearance > 0.0 ? "; nears: to within " + metres(clearance) : "";
+    return "What to do (full steering: " + full + nearing + ")\n" + table(rows, "rllrl");
+}
+
+std::string result(const EntryQuestion& question, const Maneuver& maneuver) {
+    const Gaps left = gaps(question.car, question.slot, maneuver.goal());
+    return "How it ends\n" +
+           table({{"driven", metres(maneuver.length()) + " in all"},
+                  {"swing-out", metres(swept(maneuver, question.slot).y_max) + " into the road at most"},
+                  {"gaps", metres(left.front) + " to the front neighbour, " + metres(left.rear) + " to the rear one,"},
+                  {"", metres(left.curb) + " to the curb, " + metres(-left.road) + " to the road"},
+                  {"angle", fixed(std::abs(off_parallel(question.slot, maneuver.goal())), 3) + " deg off parallel"}},
+                 "ll");
+}
+
+/// All ranges, when there is more to tell than the best one.
+std::string ranges(const EntryAnswer& answer) {
+    if (answer.ranges.size() < 2) {
+        return "";
+    }
+    const std::size_t shown = std::min(answer.ranges.size(), most_ranges);
+    const std::vector<HeadingRange> first(answer.ranges.begin(),
+                                          answer.ranges.begin() + static_cast<std::ptrdiff_t>(shown));
+    int digits = 0;
+    for (const HeadingRange& range : first) {
+        digits = std::max(digits, decimals(range.max - range.min));
+    }
+    Rows rows = {{"from [deg]", "to [deg]", "direction changes"}};
+    for (const HeadingRange& range : first) {
+        rows.push_back({fixed(range.min / degree, digits), fixed(range.max / degree, digits),
+                        std::to_string(range.direction_changes)});
+    }
+    const std::size_t rest = answer.ranges.size() - shown;
+    return "\nEntry headings that park\n" + table(rows, "rrr") +
+           (rest == 0 ? "" : "  and " + std::to_string(rest) + " more; --format csv lists all\n");
+}
+
+}  // namespace
+
+std::string entry_text(const EntryQuestion& question, const EntryAnswer& answer) {
+    if (answer.cancelled) {
+        return "Given up before there was an answer.\n";
+    }
+    if (!answer.parkable) {
+        return refusal(question);
+    }
+    std::string text = name(question.car) + " parks in " + slot_words(question.slot) + "\nwith " +
+                       changes(answer.direction_changes.value_or(0)) + ".\n";
+    if (answer.maneuver) {
+        text += "\n" + entry_position(question, answer) + "\n" + moves(question, *answer.maneuver) + "\n" +
+                result(question, *answer.maneuver);
+    }
+    return text + ranges(answer);
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,155 @@
+// Which numbers were typed, and if none, what would have been right.
+#include "cli/numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "check.hpp"
+#include "spelling.hpp"
+
+namespace snug::cli {
+namespace {
+
+constexpr double most_numbers = 1e6;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// How much of the text, from its start, is a decimal number: [+-]digits[.digits][e[+-]digits]
+std::size_t decimal_prefix(std::string_view text) {
+    const auto digits = [&](std::size_t from) {
+        std::size_t end = from;
+        while (end < text.size() && is_digit(text[end])) {
+            ++end;
+        }
+        return end;
+    };
+    const auto is = [&](std::size_t at, std::string_view any) {
+        return at < text.size() && any.find(text[at]) != any.npos;
+    };
+    const std::size_t start = is(0, "+-") ? 1 : 0;
+    std::size_t end = digits(start);
+    std::size_t count = end - start;
+    if (is(end, ".")) {
+        const std::size_t fraction = digits(end + 1);
+        count += fraction - (end + 1);
+        end = fraction;
+    }
+    if (count == 0) {
+        return 0;
+    }
+    if (is(end, "eE")) {
+        const std::size_t exponent = end + (is(end + 1, "+-") ? 2 : 1);
+        if (digits(exponent) > exponent) {
+            end = digits(exponent);
+        }
+    }
+    return end;
+}
+
+std::string unit_name(std::string_view unit) {
+    return unit == " m" ? "metres" : unit == " rad" ? "radians" : unit == " s" ? "seconds" : "plain numbers";
+}
+
+/// Digits after the point, so that ranges give the numbers people expect (1.79, not 1.7900000000000003).
+int decimals(std::string_view text) {
+    const std::size_t point = text.find('.');
+    if (text.find_first_of("eE") != text.npos) {
+        return 15;
+    }
+    return point == text.npos ? 0 : static_cast<int>(std::min<std::size_t>(15, text.size() - point - 1));
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+    std::vector<std::string> parts;
+    for (std::size_t from = 0;;) {
+        const std::size_t end = text.find(at, from);
+        parts.push_back(text.substr(from, end - from));
+        if (end == text.npos) {
+            return parts;
+        }
+        from = end + 1;
+    }
+}
+
+std::vector<double> range(const std::string& option, const std::string& text, const Quantity& quantity) {
+    const std::vector<std::string> parts = split(text, ':');
+    if (parts.size() != 3) {
+        throw Error(option + ": " + in_quotes(text) + " is no range; write from:to:step, for example 1.8:2.4:0.01");
+    }
+    const double from = number(option, parts[0], quantity);
+    const double to = number(option, parts[1], quantity);
+    const double step = number(option + " (step)", parts[2], {quantity.unit, 0.0, quantity.high - quantity.low});
+    if (!(from <= to) || !(step > 0.0)) {
+        throw Error(option + ": " + in_quotes(text) + " goes nowhere; write from:to:step with from <= to and step > 0");
+    }
+    const double steps = (to - from) / step;
+    if (!(steps < most_numbers)) {
+        throw Error(option + ": " + in_quotes(text) + " has more than a million numbers; take a larger step");
+    }
+    const double scale = std::pow(10.0, std::max(decimals(parts[0]), decimals(parts[2])));
+    std::vector<double> all;
+    for (int i = 0; i + 1e-9 < steps; ++i) {
+        const double value = from + i * step;
+        const double tidy = std::round(value * scale) / scale;
+        all.push_back(std::isfinite(tidy) && std::abs(tidy - value) < 1e-6 * step ? tidy : value);
+    }
+    all.push_back(to);
+    return all;
+}
+
+}  // namespace
+
+double number(const std::string& option, const std::string& text, const Quantity& quantity) {
+    const std::size_t end = decimal_prefix(text);
+    if (end == 0 || end < text.size()) {
+        const std::string rest = text.substr(end);
+        std::string right = "write a decimal number, in " + unit_name(quantity.unit);
+        if (end > 0 && rest[0] == ',') {
+            right = "write one number, with a decimal point";
+        } else if (end > 0 && std::isalpha(static_cast<unsigned char>(rest[0])) != 0 && rest[0] != 'x') {
+            right = "leave out the unit and write the number in " + unit_name(quantity.unit);
+        }
+        throw Error(option + ": " + (text.empty() ? "nothing" : in_quotes(text)) + " is no number; " + right);
+    }
+    const double value = std::strtod(text.c_str(), nullptr);  // the process keeps the C locale: a point is a point
+    if (std::isinf(value)) {
+        throw Error(option + ": " + in_quotes(text) + " is too large; it must lie between " + spelled(quantity.low) +
+                    " and " + spelled(quantity.high) + std::string(quantity.unit));
+    }
+    check_between(option, value, quantity.low, quantity.high, quantity.unit);
+    return value;
+}
+
+int whole_number(const std::string& option, const std::string& text, int low, int high) {
+    const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+    if (text.size() == sign || !std::all_of(text.begin() + static_cast<std::ptrdiff_t>(sign), text.end(), is_digit)) {
+        throw Error(option + ": " + (text.empty() ? "nothing" : in_quotes(text)) +
+                    " is no whole number; write one from " + std::to_string(low) + " to " + std::to_string(high));
+    }
+    return static_cast<int>(number(option, text, {"", static_cast<double>(low), static_cast<double>(high)}));
+}
+
+std::vector<double> numbers(const std::string& option, const std::string& text, const Quantity& quantity) {
+    if (text.find(':') != text.npos) {
+        return range(option, text, quantity);
+    }
+    const std::vector<std::string> parts = split(text, ',');
+    std::vector<double> all;
+    all.reserve(parts.size());
+    for (const std::string& part : parts) {
+        all.push_back(number(option, part, quantity));
+    }
+    return all;
+}
+
+std::size_t choice(const std::string& option, const std::string& text, const std::vector<std::string>& words) {
+    const auto found = std::find(words.begin(), words.end(), text);
+    if (found == words.end()) {
+        throw Error(option + ": " + (text.empty() ? "nothing" : in_quotes(text)) + " is not known; write " +
+                    either(words));
+    }
+    return static_cast<std::size_t>(found - words.begin());
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,28 @@
+// Numbers as people type them on the command line: one number, a list `a,b,c` or a range `from:to:step`.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace snug::cli {
+
+/// What an option measures: its unit with a space (" m"), or empty for a count, and its limits.
+struct Quantity {
+    std::string_view unit;
+    double low;
+    double high;
+};
+
+// Each reads all of `text` or throws Error with one sentence that begins with the option. Numbers are plain decimals:
+// no units, no hexadecimals, no NaN, no infinity.
+double number(const std::string& option, const std::string& text, const Quantity& quantity);
+int whole_number(const std::string& option, const std::string& text, int low, int high);
+
+/// "a,b,c", or "from:to:step" with both ends; a last step that would pass `to` ends there. At most a million numbers.
+std::vector<double> numbers(const std::string& option, const std::string& text, const Quantity& quantity);
+
+/// The position among the words of the one that was typed.
+std::size_t choice(const std::string& option, const std::string& text, const std::vector<std::string>& words);
+
+}  // namespace snug::cli

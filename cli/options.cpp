@@ -1,0 +1,261 @@
+// Which options were typed, and the cars, slots and strategies they stand for.
+#include "cli/options.hpp"
+
+#include <unistd.h>
+
+#include <numbers>
+#include <optional>
+
+#include "check.hpp"
+#include "cli/numbers.hpp"
+#include "cli/output.hpp"
+#include "snug/io.hpp"
+#include "spelling.hpp"
+
+namespace snug::cli {
+namespace {
+
+constexpr double shortest = 1e-6;  // [m], what a Slot accepts
+constexpr double longest = 1e6;
+constexpr double farthest = 1e9;
+constexpr double quarter_turn = std::numbers::pi / 2.0;
+
+/// The first argument that is no option of the app's, and what it could have been.
+Error unknown(const CLI::App& app, const std::string& argument) {
+    if (argument.size() < 2 || argument[0] != '-') {
+        return Error("unexpected argument " + in_quotes(argument) + "; see " + app.get_name() + " --help");
+    }
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    const std::string name = argument.substr(0, argument.find('='));
+    return Error("unknown option " + in_quotes(name) + "; the nearest known option is " +
+                 nearest_word(name.substr(0, 100), names));
+}
+
+double side_of_slot(const Options& options, const std::string& name, double car_size) {
+    const std::string direct = "--" + name;
+    const std::string extra = "--extra-" + name;
+    if (options.typed(direct) != nullptr && options.typed(extra) != nullptr) {
+        throw Error(direct + " and " + extra + " exclude each other; give one of them");
+    }
+    if (options.typed(direct) != nullptr) {
+        return options.number(direct, 0.0, shortest, longest, " m");
+    }
+    if (options.typed(extra) == nullptr) {
+        throw Error(direct + " is missing; give " + direct + " or " + extra + " in metres");
+    }
+    return car_size + options.number(extra, 0.0, shortest - car_size, longest - car_size, " m");
+}
+
+Point corner(const Options& options) {
+    const std::string* text = options.typed("--corner");
+    if (text == nullptr) {
+        return {};
+    }
+    const std::vector<double> xy = numbers("--corner", *text, {" m", -farthest, farthest});
+    if (xy.size() != 2 || text->find(':') != text->npos) {
+        throw Error("--corner: " + in_quotes(*text) + " is no point; write X,Y in metres, for example 12.5,-3");
+    }
+    return {xy[0], xy[1]};
+}
+
+}  // namespace
+
+Options::Options(const std::string& command, const std::string& purpose, const std::string& examples)
+    : app_(purpose + "\n", command) {
+    app_.set_help_flag("-h,--help", "This text.");
+    app_.footer(examples);
+    app_.allow_extras();  // so that the sentence about them is ours
+    app_.get_formatter()->column_width(26);
+    app_.get_formatter()->label("OPTIONS", "options");
+    app_.get_formatter()->label("Positionals", "Arguments");
+}
+
+void Options::add(const std::string& names, const std::string& value, const std::string& help) {
+    const std::string key = names.substr(names.find("--"));
+    const auto keep = [this, key](const CLI::results_t& results) {
+        typed_[key] = results.front();
+        return true;
+    };
+    app_.add_option(names, keep, help)->type_name(value)->group(group_);
+}
+
+void Options::add_argument(const std::string& name, const std::string& help) {
+    const auto keep = [this, name](const CLI::results_t& results) {
+        typed_[name] = results.front();
+        return true;
+    };
+    app_.add_option(name, keep, help);
+}
+
+bool Options::read(const std::vector<std::string>& arguments) {
+    for (const std::string& argument : arguments) {
+        if (argument.size() > 3 && argument.substr(0, 2) == "--" && argument.back() == '=') {
+            throw Error(in_quotes(argument) + " gives no value; write it after the =");
+        }
+    }
+    try {
+        app_.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::CallForHelp&) {
+        return false;
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string what = error.what();
+        const std::string option = what.substr(0, what.find(':'));
+        throw Error(option + (what.find("received") != what.npos
+                                  ? " is given twice; give it once"
+                                  : " needs a value; see " + app_.get_name() + " --help"));
+    } catch (const CLI::ParseError& error) {
+        throw Error(std::string(error.what()) + "; see " + app_.get_name() + " --help");
+    }
+    const std::vector<std::string> rest = app_.remaining();
+    if (!rest.empty()) {
+        throw unknown(app_, rest.front());
+    }
+    return true;
+}
+
+std::string Options::help() const {
+    std::string text = app_.help();
+    for (std::size_t gap = 0; (gap = text.find("\n\n\n", gap)) != text.npos;) {
+        text.erase(gap, 1);
+    }
+    return text;
+}
+
+const std::string* Options::typed(const std::string& option) const {
+    const auto found = typed_.find(option);
+    return found == typed_.end() ? nullptr : &found->second;
+}
+
+double Options::number(const std::string& option, double otherwise, double low, double high,
+                       std::string_view unit) const {
+    const std::string* text = typed(option);
+    return text == nullptr ? otherwise : cli::number(option, *text, {unit, low, high});
+}
+
+std::size_t Options::choice(const std::string& option, const std::vector<std::string>& words) const {
+    const std::string* text = typed(option);
+    return text == nullptr ? 0 : cli::choice(option, *text, words);
+}
+
+void add_car(Options& options) {
+    options.group("Car");
+    options.add("--car", "NAME|FILE", "A name that `snug cars` lists, or a JSON file\n(see snug cars --help).");
+}
+
+void add_slot(Options& options) {
+    options.group("Slot");
+    options.add("--length", "M", "Along the road, between the neighbours [m].");
+    options.add("--width", "M", "From the road to the curb [m].");
+    options.add("--extra-length", "M", "Length beyond the car's, instead of --length [m].");
+    options.add("--extra-width", "M", "Width beyond the car's, instead of --width [m].");
+    options.add("--side", "SIDE", "Side of the road: right (default) or left.");
+    options.add("--corner", "X,Y", "Front corner at the road, in the world [m] (0,0).");
+    options.add("--heading", "RAD", "Heading of a car parked parallel, in the world\n[rad] (0).");
+}
+
+void add_driving(Options& options) {
+    options.group("Driving");
+    options.add("--enter", "HOW", "backward (default), or forward: nose first.");
+    options.add("--clearance", "M", "Distance to keep from everything while driving\n[m] (0).");
+}
+
+void add_strategy(Options& options) {
+    options.group("Strategy");
+    options.add("--strategy", "NAME",
+                "max-steer (default): full steering until contact,\nexactly; stepping: the same in small steps.");
+    options.add("--step", "M", "stepping: path of one step [m] (0.001).");
+    options.add("--heading-step", "RAD", "stepping: between entry headings [rad] (0.0001).");
+    options.add("--stop", "WHEN",
+                "stepping: looks whether the car is parked on\ncontact (default), or after every step: inside.");
+}
+
+void add_output(Options& options) {
+    options.group("Output");
+    options.add("--format", "FORMAT", "text (default), json or csv.");
+    options.add("-o,--output", "FILE", "Write the answer there, whole or not at all.");
+}
+
+void add_threads(Options& options) { options.add("--threads", "N", "At most that many threads, 1 to 1024."); }
+
+Car find_or_read_car(const std::string& name_or_file) {
+    if (const std::optional<Car> known = find_car(name_or_file)) {
+        return *known;
+    }
+    const bool is_file = name_or_file.find('/') != name_or_file.npos ||
+                         (name_or_file.size() > 5 && name_or_file.substr(name_or_file.size() - 5) == ".json") ||
+                         access(name_or_file.c_str(), F_OK) == 0;
+    if (is_file) {
+        return read_car(name_or_file);
+    }
+    throw Error(in_quotes(name_or_file) + " is no known car; the nearest is " +
+                nearest_car_name(name_or_file.substr(0, 100)) + ", and a JSON file does as well");
+}
+
+Car car(const Options& options) {
+    const std::string* text = options.typed("--car");
+    if (text == nullptr) {
+        throw Error("--car is missing; give a name that `snug cars` lists, or a JSON file");
+    }
+    try {
+        return find_or_read_car(*text);
+    } catch (const Error& error) {
+        throw Error(std::string("--car: ") + error.what());
+    }
+}
+
+Slot slot(const Options& options, const Car& car) {
+    SlotDimensions dimensions;
+    dimensions.length = side_of_slot(options, "length", car.length());
+    dimensions.width = side_of_slot(options, "width", car.width());
+    dimensions.side = options.choice("--side", {"right", "left"}) == 0 ? Side::right : Side::left;
+    dimensions.corner = corner(options);
+    dimensions.heading = options.number("--heading", 0.0, -farthest, farthest, " rad");
+    return Slot(dimensions);
+}
+
+double clearance(const Options& options) { return options.number("--clearance", 0.0, 0.0, longest, " m"); }
+
+Enter enter(const Options& options) {
+    return options.choice("--enter", {"backward", "forward"}) == 0 ? Enter::backward : Enter::forward;
+}
+
+Strategy strategy(const Options& options) {
+    if (options.choice("--strategy", {"max-steer", "stepping"}) == 0) {
+        for (const char* step : {"--step", "--heading-step", "--stop"}) {
+            if (options.typed(step) != nullptr) {
+                throw Error(std::string(step) + " belongs to --strategy stepping; leave it out or give that strategy");
+            }
+        }
+        return MaxSteer{};
+    }
+    Stepping stepping;
+    stepping.step = options.number("--step", stepping.step, 1e-7, 1.0, " m");
+    stepping.heading_step = options.number("--heading-step", stepping.heading_step, 1e-6, quarter_turn, " rad");
+    stepping.stop = options.choice("--stop", {"contact", "inside"}) == 0 ? StopRule::contact : StopRule::inside;
+    return stepping;
+}
+
+Format format(const Options& options) {
+    return static_cast<Format>(options.choice("--format", {"text", "json", "csv"}));
+}
+
+int threads(const Options& options) {
+    const std::string* text = options.typed("--threads");
+    return text == nullptr ? 1 : whole_number("--threads", *text, 1, 1024);
+}
+
+std::string output(const Options& options) {
+    const std::string* path = options.typed("--output");
+    if (path == nullptr) {
+        return {};
+    }
+    check_writable("--output", *path);
+    return *path;
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,203 @@
+// How bytes get out, with every failure noticed. POSIX calls, because streams hide what went wrong.
+#include "cli/output.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+#include "snug/error.hpp"
+#include "spelling.hpp"
+
+namespace snug::cli {
+namespace {
+
+// The temporary file being written, for the signal handler: nothing else can reach it there.
+char temporary[PATH_MAX];
+volatile std::sig_atomic_t temporary_exists = 0;
+
+extern "C" void on_signal(int) {
+    if (temporary_exists != 0) {
+        unlink(temporary);
+    }
+    _exit(130);
+}
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+/// The error number of the first write that failed, 0 for none.
+int write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) {
+            return errno;
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+    return 0;
+}
+
+Error cannot_write(const std::string& option, const std::string& path, int error) {
+    return Error(option + ": cannot write " + in_quotes(path) + ": " + reason(error) +
+                 "; give a file in a folder that exists, is writable and has room");
+}
+
+/// What symbolic links lead to, so that renaming replaces the file and not the link.
+std::string target_of(const std::string& path) {
+    const std::unique_ptr<char, void (*)(void*)> resolved(realpath(path.c_str(), nullptr), std::free);
+    return resolved ? resolved.get() : path;
+}
+
+std::string folder_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    return slash == path.npos ? "./" : path.substr(0, slash + 1);
+}
+
+mode_t usual_mode() {
+    const mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
+}
+
+/// Holds signals back while the temporary file and its name are in two minds.
+class SignalsHeld {
+public:
+    SignalsHeld() {
+        sigset_t all;
+        sigfillset(&all);
+        sigprocmask(SIG_SETMASK, &all, &before_);
+    }
+    ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+private:
+    sigset_t before_;
+};
+
+/// A descriptor of a new temporary file in the folder, or -1.
+int open_temporary(const std::string& folder) {
+    const SignalsHeld held;
+    const std::string pattern = folder + ".snug-XXXXXX";
+    if (pattern.size() >= sizeof temporary) {
+        errno = ENAMETOOLONG;
+        return -1;
+    }
+    std::strcpy(temporary, pattern.c_str());
+    const int descriptor = mkostemp(temporary, O_CLOEXEC);
+    temporary_exists = descriptor >= 0 ? 1 : 0;
+    return descriptor;
+}
+
+int write_and_close(int descriptor, std::string_view bytes) {
+    const int error = write_all(descriptor, bytes);
+    return close(descriptor) != 0 && error == 0 ? errno : error;
+}
+
+}  // namespace
+
+void prepare_process() {
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
+        if (fcntl(stream, F_GETFD) == -1) {
+            static_cast<void>(open("/dev/null", O_RDONLY));  // takes the number; writing to it stays an error
+        }
+    }
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        if (std::signal(number, on_signal) == SIG_IGN) {
+            std::signal(number, SIG_IGN);  // a background job stays deaf
+        }
+    }
+}
+
+void print(std::string_view bytes) {
+    int error = write_all(STDOUT_FILENO, bytes);
+    if (error == 0) {
+        const int copy = dup(STDOUT_FILENO);  // some file systems report a full disk only on closing
+        error = copy < 0 || close(copy) != 0 ? errno : 0;
+    }
+    if (error != 0) {
+        throw Error("cannot write to standard output: " + reason(error) + "; give it a place that takes the answer");
+    }
+}
+
+void complain(std::string_view text) {
+    std::string line(text);
+    std::replace_if(line.begin(), line.end(), is_control, ' ');
+    static_cast<void>(write_all(STDERR_FILENO, line + '\n'));
+}
+
+void check_writable(const std::string& option, const std::string& path) {
+    struct stat status = {};
+    int error = 0;
+    if (path.empty() || path.find('\0') != path.npos) {
+        error = ENOENT;
+    } else if (stat(path.c_str(), &status) == 0) {
+        if (S_ISDIR(status.st_mode)) {
+            error = EISDIR;
+        } else if (access(path.c_str(), W_OK) != 0 ||
+                   (S_ISREG(status.st_mode) && access(folder_of(target_of(path)).c_str(), W_OK | X_OK) != 0)) {
+            error = errno;
+        }
+    } else if (errno != ENOENT || access(folder_of(path).c_str(), W_OK | X_OK) != 0) {
+        error = errno;
+    } else if (path.back() == '/') {
+        error = EISDIR;
+    }
+    if (error != 0) {
+        throw cannot_write(option, path, error);
+    }
+}
+
+void write_file(const std::string& option, const std::string& path, std::string_view bytes) {
+    check_writable(option, path);
+    struct stat status = {};
+    const bool exists = stat(path.c_str(), &status) == 0;
+    if (exists && !S_ISREG(status.st_mode)) {
+        const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+        const int error = descriptor < 0 ? errno : write_and_close(descriptor, bytes);
+        if (error != 0) {
+            throw cannot_write(option, path, error);
+        }
+        return;
+    }
+    const std::string target = target_of(path);
+    const int descriptor = open_temporary(folder_of(target));
+    if (descriptor < 0) {
+        throw cannot_write(option, path, errno);
+    }
+    int error = fchmod(descriptor, exists ? status.st_mode & 07777 : usual_mode()) != 0 ? errno : 0;
+    const int write_error = write_and_close(descriptor, bytes);
+    error = error != 0 ? error : write_error;
+
+    const SignalsHeld held;
+    if (error == 0 && std::rename(temporary, target.c_str()) != 0) {
+        error = errno;
+    }
+    if (error != 0) {
+        unlink(temporary);
+    }
+    temporary_exists = 0;
+    if (error != 0) {
+        throw cannot_write(option, path, error);
+    }
+}
+
+void put_out(const std::string& path, std::string_view answer) {
+    if (path.empty()) {
+        print(answer);
+    } else {
+        write_file("--output", path, answer);
+    }
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,29 @@
+// What the command writes: standard output, and files that appear whole or not at all.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace snug::cli {
+
+/// Once, before anything is opened: keeps closed standard streams from being taken by other files, makes a closed pipe
+/// an error instead of a silent death, and on Ctrl-C removes a file being written and exits with 130.
+void prepare_process();
+
+/// All of it to standard output. Throws Error when it cannot take it.
+void print(std::string_view bytes);
+
+/// One line to standard error, whatever the text holds.
+void complain(std::string_view text);
+
+/// Throws Error, beginning with the option, when a file cannot be written there: said before the work, not after it.
+void check_writable(const std::string& option, const std::string& path);
+
+/// Writes a temporary file next to `path` and renames it when it is complete; devices and pipes are written directly.
+/// Throws Error, beginning with the option, and leaves nothing behind.
+void write_file(const std::string& option, const std::string& path, std::string_view bytes);
+
+/// The answer of a command: to the file of `-o`, or to standard output when `path` is empty.
+void put_out(const std::string& path, std::string_view answer);
+
+}  // namespace snug::cli

@@ -1,0 +1,15 @@
+// How far a long question has come, on standard error when somebody watches.
+#pragma once
+
+#include <functional>
+
+namespace snug::cli {
+
+/// A progress callback that shows the part done, from half a second on and ten times a second at most; empty when
+/// standard error is no terminal.
+std::function<bool(double)> show_progress();
+
+/// Wipes it away again.
+void wipe_progress();
+
+}  // namespace snug::cli

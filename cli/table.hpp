@@ -1,0 +1,19 @@
+// Aligned columns of text, and numbers with a fixed number of decimals.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace snug::cli {
+
+/// One row per line, columns two spaces apart; `align` has an 'l' or an 'r' for every column. Ends with a newline.
+std::string table(const std::vector<std::vector<std::string>>& rows, const std::string& align, std::size_t indent = 2);
+
+/// "1.250"; never "-0.000".
+std::string fixed(double value, int decimals);
+
+/// A field of a CSV row, quoted where it has to be.
+std::string csv_field(const std::string& text);
+
+}  // namespace snug::cli

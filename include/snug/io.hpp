@@ -1,0 +1,40 @@
+// Cars and answers as JSON: the files the command reads and the answers it prints.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "snug/entry.hpp"
+
+namespace snug {
+
+/// JSON whose keys stay in the order they were set. Numbers are written with all their digits and read back the same.
+using Json = nlohmann::ordered_json;
+
+/// A car from a JSON object: `width`, `front`, `rear`, `wheelbase` [m], one of `max_steer` [rad], `max_steer_deg`,
+/// `turning_radius` (of the rear axle centre) [m] or `curb_to_curb` (diameter) [m], and optionally `name`.
+/// Throws Error, beginning with `source`, when it is anything else.
+Car car_from_json(std::string_view text, const std::string& source);
+/// The car in a file of at most 1 MB. Throws Error when it cannot be read.
+Car read_car(const std::string& path);
+
+/// A car file, with `max_steer`.
+Json as_json(const Car& car);
+Json as_json(const Slot& slot);
+Json as_json(const Pose& pose);
+Json as_json(const Box& box);
+Json as_json(const Move& move);
+Json as_json(const Maneuver& maneuver);
+/// The answer of `snug entry --format json`.
+Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const EntryAnswer& answer);
+
+/// "max-steer", "stepping"
+std::string_view to_string(const Strategy& strategy);
+
+/// JSON text: what fits on a line stays on one; ends with a newline.
+std::string write(const Json& json);
+/// A number with all its digits, as in JSON.
+std::string write(double number);
+
+}  // namespace snug

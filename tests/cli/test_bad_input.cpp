@@ -1,0 +1,110 @@
+// Whatever is wrong: exit 2 and one line that says what, where and what would be right.
+#include "process.hpp"
+
+namespace snug::test {
+namespace {
+
+const std::string zoe = "entry --car renault-zoe --length 5 --width 2 ";
+
+TEST(BadInput, CommandsThatDoNotExist) {
+    expect_refusal(run(""), {"entry", "cars"});
+    expect_refusal(run("entri"), {"\"entri\"", "entry"});
+    expect_refusal(run("--verson"), {"--verson", "--version"});
+    expect_refusal(run("--version 3"), {"--version", "\"3\""});
+    expect_refusal(run(std::vector<std::string>{""}), {"--help"});
+}
+
+TEST(BadInput, OptionsThatDoNotExist) {
+    expect_refusal(run("entry --car renault-zoe --lenght 4.5 --width 2"), {"snug entry", "--lenght", "--length"});
+    expect_refusal(run("entry --car renault-zoe --lenght=4.5 --width 2"), {"--lenght", "--length"});
+    expect_refusal(run(zoe + "-x"), {"\"-x\""});
+    expect_refusal(run(zoe + "more"), {"\"more\"", "--help"});
+    expect_refusal(run("cars --formt json"), {"snug cars", "--formt", "--format"});
+    expect_refusal(run("cars renault-zoe opel-corsa"), {"opel-corsa"});
+}
+
+TEST(BadInput, OptionsWithoutValueOrTwice) {
+    expect_refusal(run("entry --car"), {"--car", "value"});
+    expect_refusal(run("entry --car renault-zoe --length="), {"--length="});
+    expect_refusal(run(zoe + "--length 6"), {"--length", "twice"});
+    expect_refusal(run(zoe + "-o x -o y"), {"--output", "twice"});
+    expect_refusal(run({"entry", "--car", "renault-zoe", "--length", "", "--width", "2"}), {"--length", "nothing"});
+    expect_refusal(run({"entry", "--car", "", "--length", "5", "--width", "2"}), {"--car"});
+}
+
+TEST(BadInput, MissingAndExcludingOptions) {
+    expect_refusal(run("entry --length 5 --width 2"), {"--car", "missing"});
+    expect_refusal(run("entry --car renault-zoe --width 2"), {"--length", "--extra-length"});
+    expect_refusal(run("entry --car renault-zoe --length 5"), {"--width", "--extra-width"});
+    expect_refusal(run(zoe + "--extra-length 1"), {"--length", "--extra-length", "exclude"});
+    expect_refusal(run(zoe + "--extra-width 1"), {"--width", "--extra-width", "exclude"});
+    expect_refusal(run(zoe + "--view entries"), {"--view", "--draw"});
+    expect_refusal(run(zoe + "--step 0.01"), {"--step", "stepping"});
+    expect_refusal(run(zoe + "--stop inside"), {"--stop", "stepping"});
+}
+
+TEST(BadInput, NumbersThatAreNone) {
+    for (const char* text : {"nan", "-nan", "inf", "-inf", "1e999", "0x5",   "5m",    "5 m", "five", "--width", "1e",
+                             ".",   "-",    "+-5", "5..0", "4,5",   "1_000", "5:6:1", "e5",  "\n5",  "5\n"}) {
+        expect_refusal(run({"entry", "--car", "renault-zoe", "--width", "2", "--length", text}), {"--length"});
+        expect_refusal(run({"entry", "--car", "renault-zoe", "--length", "5", "--width", text}), {"--width"});
+        expect_refusal(run({"entry", "--car", "renault-zoe", "--length", "5", "--width", "2", "--heading", text}),
+                       {"--heading"});
+    }
+    expect_refusal(run("entry --car renault-zoe --width 2 --length 4.5m"), {"--length", "4.5m", "unit", "metres"});
+}
+
+TEST(BadInput, NumbersOutOfRange) {
+    const std::string car = "entry --car renault-zoe ";
+    expect_refusal(run(car + "--length 0 --width 2"), {"--length is 0 m"});
+    expect_refusal(run(car + "--length 5 --width -2"), {"--width is -2 m"});
+    expect_refusal(run(car + "--length 1e7 --width 2"), {"--length"});
+    expect_refusal(run(car + "--length 5 --extra-width -9"), {"--extra-width"});
+    expect_refusal(run(zoe + "--clearance -0.1"), {"--clearance"});
+    expect_refusal(run(zoe + "--min-range 2"), {"--min-range"});
+    expect_refusal(run(zoe + "--max-changes -1"), {"--max-changes"});
+    expect_refusal(run(zoe + "--max-changes 2.5"), {"--max-changes", "whole"});
+    expect_refusal(run(zoe + "--max-changes 99999999999999999999"), {"--max-changes"});
+    expect_refusal(run(zoe + "--threads 0"), {"--threads"});
+    expect_refusal(run(zoe + "--threads 1025"), {"--threads"});
+    expect_refusal(run(zoe + "--strategy stepping --step 0"), {"--step"});
+    expect_refusal(run(zoe + "--strategy stepping --heading-step 7"), {"--heading-step"});
+    expect_refusal(run(zoe + "--corner 1"), {"--corner", "X,Y"});
+    expect_refusal(run(zoe + "--corner 1,2,3"), {"--corner", "X,Y"});
+    expect_refusal(run(zoe + "--corner 1,nan"), {"--corner", "nan"});
+}
+
+TEST(BadInput, WordsThatAreNotKnown) {
+    expect_refusal(run(zoe + "--side rigth"), {"--side", "right or left"});
+    expect_refusal(run(zoe + "--enter sideways"), {"--enter", "backward or forward"});
+    expect_refusal(run(zoe + "--strategy fewest"), {"--strategy", "max-steer", "stepping"});
+    expect_refusal(run(zoe + "--format xml"), {"--format", "text, json or csv"});
+    expect_refusal(run(zoe + "--strategy stepping --stop never"), {"--stop", "contact or inside"});
+    expect_refusal(run("entry --car renault-zo --length 5 --width 2"), {"--car", "renault-zo", "renault-zoe"});
+    expect_refusal(run("cars zoe"), {"\"zoe\"", "renault-zoe"});
+}
+
+TEST(BadInput, FilesThatAreNoCars) {
+    const Folder folder;
+    const auto refused = [&](const std::string& file, const std::vector<std::string>& named) {
+        std::vector<std::string> all = named;
+        all.push_back(file);
+        expect_refusal(run({"entry", "--length", "5", "--width", "2", "--car", file}), all);
+        expect_refusal(run({"cars", file}), all);
+    };
+    refused(folder.file("none.json"), {"No such file"});
+    refused(folder.file(""), {"directory"});
+    refused(folder.with("empty.json", ""), {"line 1"});
+    refused(folder.with("huge.json", std::string(1'100'000, ' ')), {"1 MB"});
+    refused("/dev/zero", {"1 MB"});
+    refused(folder.with("deep.json", std::string(900'000, '[')), {"a list"});
+    refused(folder.with("binary.json", std::string("\xff\xfe\0\0", 4)), {"line 1"});
+    if (geteuid() != 0) {
+        const std::string secret = folder.with("secret.json", "{}");
+        std::filesystem::permissions(secret, std::filesystem::perms::none);
+        refused(secret, {"Permission denied"});
+    }
+}
+
+}  // namespace
+}  // namespace snug::test

@@ -1,0 +1,129 @@
+// What a car file may say, and that an answer's car is one.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "process.hpp"
+#include "snug/error.hpp"
+#include "snug/io.hpp"
+
+namespace snug::test {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+const std::string lengths = R"("width": 1.8, "front": 3.6, "rear": 0.8, "wheelbase": 2.6)";
+
+Car car_saying(const std::string& more) { return car_from_json("{" + lengths + more + "}", "my.json"); }
+
+void expect_error(const std::string& text, const std::vector<std::string>& named) {
+    try {
+        static_cast<void>(car_from_json(text, "my.json"));
+        ADD_FAILURE() << "accepted: " << text;
+    } catch (const Error& error) {
+        const std::string what = error.what();
+        EXPECT_EQ(what.rfind("my.json: ", 0), 0U) << what;
+        EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+        for (const std::string& word : named) {
+            EXPECT_NE(what.find(word), std::string::npos) << '"' << word << "\" is not in: " << what;
+        }
+    }
+}
+
+TEST(CarFile, SteeringMayBeGivenInFourWays) {
+    const Car car = car_saying(R"(, "max_steer": 0.6)");
+    EXPECT_EQ(car.max_steer(), 0.6);
+    EXPECT_EQ(car.name(), "");
+    EXPECT_DOUBLE_EQ(car_saying(R"(, "max_steer_deg": 36)").max_steer(), 36 * degree);
+    EXPECT_NEAR(car_saying(R"(, "turning_radius": )" + write(car.turning_radius())).max_steer(), 0.6, 1e-15);
+    EXPECT_NEAR(car_saying(R"(, "curb_to_curb": )" + write(car.curb_to_curb())).max_steer(), 0.6, 1e-14);
+}
+
+TEST(CarFile, EveryCarOfTheCatalogueReadsBackTheSame) {
+    for (const Car& car : catalogue()) {
+        const std::string text = write(as_json(car));
+        const Car back = car_from_json(text, "");
+        EXPECT_EQ(write(as_json(back)), text);
+        EXPECT_EQ(back.name(), car.name());
+        EXPECT_EQ(back.max_steer(), car.max_steer());
+        EXPECT_EQ(back.width(), car.width());
+    }
+}
+
+TEST(CarFile, KeysThatAreWrongAreNamed) {
+    const std::string steer = R"(, "max_steer": 0.6)";
+    expect_error("{" + lengths + "}", {"max_steer", "curb_to_curb"});
+    expect_error("{" + lengths + steer + R"(, "turning_radius": 4})", {"max_steer", "turning_radius", "exclude"});
+    expect_error("{" + lengths + steer + R"(, "wheelbse": 4})", {"\"wheelbse\"", "\"wheelbase\""});
+    expect_error("{" + lengths + steer + R"(, "width": 1.9})", {"\"width\"", "twice"});
+    expect_error(R"({"width": 1.8, "front": 3.6, "rear": 0.8, "max_steer": 0.6})", {"\"wheelbase\"", "missing"});
+    expect_error("{}", {"\"width\"", "missing"});
+}
+
+TEST(CarFile, TypesThatAreWrongAreNamed) {
+    expect_error(R"({"width": "1.8"})", {"\"width\"", "a string", "a number"});
+    expect_error(R"({"width": null})", {"\"width\"", "null"});
+    expect_error(R"({"width": true})", {"\"width\"", "true or false"});
+    expect_error(R"({"width": [1.8]})", {"\"width\"", "a list"});
+    expect_error(R"({"width": {"m": 1.8}})", {"\"width\"", "an object"});
+    expect_error(R"({"name": 7})", {"\"name\"", "a number", "a string"});
+    expect_error("{" + lengths + R"(, "max_steer": 0.6, "name": "a\nb"})", {"\"name\"", "control"});
+    expect_error("7", {"a number", "object"});
+    expect_error("\"zoe\"", {"a string", "object"});
+    expect_error("[]", {"a list", "object"});
+    expect_error("null", {"null", "object"});
+}
+
+TEST(CarFile, ValuesThatAreImpossibleAreNamed) {
+    const std::string rest = R"("front": 3.6, "rear": 0.8, "wheelbase": 2.6, "max_steer": 0.6})";
+    expect_error(R"({"width": -1.8, )" + rest, {"width", "-1.8"});
+    expect_error(R"({"width": 0, )" + rest, {"width"});
+    expect_error(R"({"width": 1e999, )" + rest, {"line 1", "1e999", "too large"});
+    expect_error(R"({"width": NaN, )" + rest, {"line 1"});
+    for (const char* steering :
+         {R"("max_steer": 0)", R"("max_steer": 1.5707963267948966)", R"("max_steer": -0.5)", R"("max_steer_deg": 90)",
+          R"("max_steer_deg": 0)", R"("max_steer_deg": 1e300)", R"("turning_radius": 0)", R"("turning_radius": -4)",
+          R"("turning_radius": 1e300)", R"("curb_to_curb": 0)", R"("curb_to_curb": 5.2)", R"("curb_to_curb": 1e300)"}) {
+        const std::string key = std::string(steering).substr(0, std::string(steering).find(':'));
+        expect_error("{" + lengths + ", " + steering + "}", {key, "must lie between"});
+    }
+}
+
+TEST(CarFile, BrokenJsonIsLocated) {
+    expect_error("", {"line 1, column 1", "too early"});
+    expect_error("{\n  \"width\": 1.8,\n  \"front\" 3\n}", {"line 3, column 11"});
+    expect_error("{" + lengths + R"(, "max_steer": 0.6} trailing)", {"line 1", "ailing"});
+    expect_error("{" + lengths + R"(, "max_steer": 0.6)", {"too early"});
+    expect_error("{'width': 1}", {"line 1, column 2"});
+    expect_error("{\"width\xff\": 1}", {"line 1"});
+    expect_error("{\"a\x01\": 1}", {"line 1"});
+}
+
+TEST(Cars, TheCatalogueComesAsTextJsonAndCsv) {
+    const Result text = run("cars");
+    const Result json = run("cars --format json");
+    const Result csv = run("cars --format csv");
+    EXPECT_EQ(text.exit_code + json.exit_code + csv.exit_code, 0);
+    const Json cars = Json::parse(json.out);
+    ASSERT_EQ(cars.size(), catalogue().size());
+    for (const Json& car : cars) {
+        EXPECT_EQ(write(as_json(car_from_json(car.dump(), "car"))), write(car));
+        EXPECT_NE(text.out.find(car.at("name").get<std::string>()), std::string::npos);
+        EXPECT_NE(csv.out.find(car.at("name").get<std::string>() + ","), std::string::npos);
+    }
+    EXPECT_EQ(csv.out.rfind("name,width,front,rear,wheelbase,max_steer,", 0), 0U);
+}
+
+TEST(Cars, OneCarIsACarFile) {
+    const Folder folder;
+    for (const Car& car : catalogue()) {
+        const std::string file = folder.file(car.name() + ".json");
+        ASSERT_EQ(run("cars --format json -o " + file + " " + car.name()).exit_code, 0);
+        EXPECT_EQ(run("cars " + file).out, run("cars " + car.name()).out);
+        EXPECT_EQ(run("cars --format json " + file).out, contents(file));
+        EXPECT_EQ(write(as_json(read_car(file))), write(as_json(car)));
+    }
+}
+
+}  // namespace
+}  // namespace snug::test

@@ -1,0 +1,190 @@
+// The answer of `snug entry`: its form, and that its parts agree with each other. Numbers are checked elsewhere.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "process.hpp"
+#include "snug/io.hpp"
+
+namespace snug::test {
+namespace {
+
+const std::string zoe = "entry --car renault-zoe --length 5 --width 2 ";
+const std::string too_small = "entry --car renault-zoe --extra-length -0.1 --width 2 ";
+
+std::vector<std::string> keys(const Json& object) {
+    std::vector<std::string> all;
+    for (const auto& item : object.items()) {
+        all.push_back(item.key());
+    }
+    return all;
+}
+
+using Keys = std::vector<std::string>;
+
+std::vector<std::string> lines(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> all;
+    for (std::string line; std::getline(stream, line);) {
+        all.push_back(line);
+    }
+    return all;
+}
+
+TEST(Entry, JsonHasTheDocumentedKeysInOrder) {
+    const Result result = run(zoe + "--format json --side left --corner 3,-4 --heading 0.3");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Json answer = Json::parse(result.out);
+    EXPECT_EQ(keys(answer), (Keys{"schema", "car", "slot", "strategy", "max_changes", "parkable", "direction_changes",
+                                  "entry_ranges", "maneuver"}));
+    EXPECT_EQ(keys(answer["car"]), (Keys{"name", "width", "front", "rear", "wheelbase", "max_steer"}));
+    EXPECT_EQ(answer["slot"], Json::parse(R"({"length": 5.0, "width": 2.0, "side": "left", "corner": [3.0, -4.0],
+                                              "heading": 0.3})"));
+    EXPECT_EQ(answer["schema"], 1);
+    EXPECT_EQ(answer["strategy"], "max-steer");
+    EXPECT_TRUE(answer["max_changes"].is_null());
+    EXPECT_EQ(answer["parkable"], true);
+    const Json& maneuver = answer["maneuver"];
+    EXPECT_EQ(keys(maneuver), (Keys{"direction_changes", "length", "swept", "entry", "goal", "moves"}));
+    EXPECT_EQ(keys(maneuver["swept"]), (Keys{"x_min", "x_max", "y_min", "y_max"}));
+    EXPECT_EQ(keys(maneuver["entry"]), (Keys{"x", "y", "heading"}));
+    for (const Json& move : maneuver["moves"]) {
+        EXPECT_EQ(keys(move), (Keys{"direction", "steering", "steering_angle", "length", "start", "end", "contact"}));
+        EXPECT_TRUE(move["contact"].is_null() || keys(move["contact"]) == (Keys{"car", "obstacle"}));
+    }
+    for (const Json& range : answer["entry_ranges"]) {
+        EXPECT_EQ(keys(range), (Keys{"heading_min", "heading_max", "direction_changes", "subrange"}));
+    }
+}
+
+TEST(Entry, PartsOfAnAnswerAgree) {
+    for (const std::string more : {"", "--side left", "--enter forward", "--max-changes 6", "--clearance 0.02",
+                                   "--strategy stepping --step 0.01 --heading-step 0.001"}) {
+        const Result result = run(words(zoe + "--format json " + more));
+        ASSERT_EQ(result.exit_code, 0) << more << ": " << result.err;
+        const Json answer = Json::parse(result.out);
+        const Json& maneuver = answer["maneuver"];
+        const Json& moves = maneuver["moves"];
+        ASSERT_FALSE(moves.empty());
+        EXPECT_EQ(answer["direction_changes"], maneuver["direction_changes"]);
+        EXPECT_EQ(maneuver["entry"], moves.front()["start"]);
+        EXPECT_EQ(maneuver["goal"], moves.back()["end"]);
+        int changes = 0;
+        double length = 0.0;
+        for (std::size_t i = 0; i < moves.size(); ++i) {
+            const double angle = moves[i]["steering_angle"];
+            EXPECT_EQ(moves[i]["steering"], angle > 0 ? "left" : angle < 0 ? "right" : "straight");
+            EXPECT_LE(std::abs(angle), answer["car"]["max_steer"].get<double>());
+            length += moves[i]["length"].get<double>();
+            if (i > 0) {
+                changes += moves[i]["direction"] != moves[i - 1]["direction"] ? 1 : 0;
+                EXPECT_EQ(moves[i]["start"], moves[i - 1]["end"]);
+            }
+        }
+        EXPECT_EQ(maneuver["direction_changes"], changes);
+        EXPECT_NEAR(maneuver["length"].get<double>(), length, 1e-9 * length);
+
+        ASSERT_FALSE(answer["entry_ranges"].empty());
+        double last = -1.0;
+        for (const Json& range : answer["entry_ranges"]) {
+            EXPECT_GE(range["heading_min"].get<double>(), last) << "ranges rise and do not overlap";
+            EXPECT_LE(range["heading_min"], range["heading_max"]);
+            EXPECT_GE(range["direction_changes"], answer["direction_changes"]);
+            last = range["heading_max"];
+        }
+    }
+}
+
+TEST(Entry, NumbersReadBackTheSame) {
+    const Result result = run(zoe + "--format json");
+    const Json answer = Json::parse(result.out);
+    EXPECT_EQ(write(answer), result.out);
+    EXPECT_EQ(Json::parse(answer.dump()), answer);
+}
+
+TEST(Entry, TheCarOfAnAnswerIsACarFile) {
+    const Folder folder;
+    const Result named = run(zoe + "--format json");
+    const std::string file = folder.with("car.json", Json::parse(named.out)["car"].dump());
+    EXPECT_EQ(run("entry --length 5 --width 2 --format json --car " + file).out, named.out);
+}
+
+TEST(Entry, CsvHasOneRowPerRange) {
+    const Result json = run(zoe + "--format json --max-changes 6");
+    const Result csv = run(zoe + "--format csv --max-changes 6");
+    EXPECT_EQ(csv.exit_code, 0);
+    const std::vector<std::string> rows = lines(csv.out);
+    const Json ranges = Json::parse(json.out)["entry_ranges"];
+    ASSERT_EQ(rows.size(), ranges.size() + 1);
+    EXPECT_EQ(rows[0], "heading_min,heading_max,direction_changes,subrange");
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        EXPECT_EQ(rows[i + 1].substr(0, rows[i + 1].find(',')), ranges[i]["heading_min"].dump());
+    }
+}
+
+TEST(Entry, TextFitsEightyColumns) {
+    for (const std::string more : {"", "--side left", "--enter forward", "--max-changes 6", "--clearance 0.02"}) {
+        const Result result = run(words(zoe + more));
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_GT(lines(result.out).size(), 10U);
+        for (const std::string& line : lines(result.out)) {
+            EXPECT_LE(line.size(), 80U) << line;
+            EXPECT_TRUE(line.empty() || line.back() != ' ') << '"' << line << '"';
+        }
+    }
+}
+
+TEST(Entry, ACarThatCannotParkIsAnAnswer) {
+    const Result json = run(too_small + "--format json");
+    EXPECT_EQ(json.exit_code, 1);
+    EXPECT_EQ(json.err, "");
+    const Json answer = Json::parse(json.out);
+    EXPECT_EQ(keys(answer), (Keys{"schema", "car", "slot", "strategy", "max_changes", "parkable", "entry_ranges"}));
+    EXPECT_EQ(answer["parkable"], false);
+    EXPECT_EQ(answer["entry_ranges"], Json::array());
+
+    const Result text = run(too_small);
+    EXPECT_EQ(text.exit_code, 1);
+    EXPECT_NE(text.out.find("0.100 m too short"), std::string::npos) << text.out;
+    const Result csv = run(too_small + "--format csv");
+    EXPECT_EQ(csv.exit_code, 1);
+    EXPECT_EQ(lines(csv.out).size(), 1U);
+
+    const Result tight = run("entry --car renault-zoe --extra-length 0.001 --extra-width 0.001");
+    EXPECT_EQ(tight.exit_code, 1);
+    EXPECT_NE(tight.out.find("up to 200 direction changes"), std::string::npos) << tight.out;
+}
+
+TEST(Entry, PicturesAreWrittenInTheFormatOfTheirName) {
+    const Folder folder;
+    for (const std::string view : {"maneuver", "entries"}) {
+        for (const auto& [extension, magic] :
+             std::vector<std::pair<std::string, std::string>>{{"svg", "<?xml"}, {"pdf", "%PDF"}, {"png", "\x89PNG"}}) {
+            const std::string file = folder.file(view + "." + extension);
+            const Result result = run(zoe + "--view " + view + " --draw " + file);
+            EXPECT_EQ(result.exit_code, 0) << result.err;
+            EXPECT_EQ(contents(file).substr(0, magic.size()), magic);
+        }
+    }
+    EXPECT_EQ(run(too_small + "--draw " + folder.file("none.svg")).exit_code, 1);
+    EXPECT_EQ(folder.files(), 7U);
+}
+
+TEST(Help, ExplainsUnitsAndExitCodesInEightyColumns) {
+    for (const std::string command : {"--help", "-h", "entry --help", "cars --help", "entry --car renault-zoe -h"}) {
+        const Result result = run(command);
+        EXPECT_EQ(result.exit_code, 0);
+        EXPECT_EQ(result.err, "");
+        EXPECT_NE(result.out.find("Exit codes"), std::string::npos);
+        EXPECT_NE(result.out.find("Example"), std::string::npos);
+        for (const std::string& line : lines(result.out)) {
+            EXPECT_LE(line.size(), 80U) << line;
+        }
+    }
+    const Result version = run("--version");
+    EXPECT_EQ(version.exit_code, 0);
+    EXPECT_EQ(version.out.rfind("snug ", 0), 0U);
+}
+
+}  // namespace
+}  // namespace snug::test
