@@ -89,9 +89,7 @@ std::string_view to_string(Obstacle obstacle) {
     return "";
 }
 
-std::string_view to_string(Direction direction) {
-    return direction == Direction::backward ? "backward" : "forward";
-}
+std::string_view to_string(Direction direction) { return direction == Direction::backward ? "backward" : "forward"; }
 
 CarPart mirrored(CarPart part) {
     switch (part) {
