@@ -45,9 +45,9 @@ TEST(Oracle, FirstContactAgreesWithTinySteps) {
         const auto where = [&] { return command_line(asked) + " case " + std::to_string(i); };
 
         // A dip into a block between two steps is as shallow as step^2 / 8R: too shallow to be seen.
-        const bool grazing = exact.graze < 1e-8 ||
-                             (std::isfinite(exact.contact) && exact.contact < farthest &&
-                              depth(problem.grown, path.at(exact.contact + step), problem.gap) < 1e-8);
+        const bool grazing =
+            exact.graze < 1e-8 || (std::isfinite(exact.contact) && exact.contact < farthest &&
+                                   depth(problem.grown, path.at(exact.contact + step), problem.gap) < 1e-8);
         if (grazing) {
             ++grazes;
             continue;
@@ -81,7 +81,8 @@ TEST(Oracle, StrategyAgreesWithTinySteps) {
             make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter);
         Random random(std::uint64_t(i) + 1);
         double heading = random.between(0, 0.7);
-        for (int k = 0; k < 50 && i % 3 != 0 && !run(problem, heading, 12).parked(); ++k) heading = random.between(0, 0.7);
+        for (int k = 0; k < 50 && i % 3 != 0 && !run(problem, heading, 12).parked(); ++k)
+            heading = random.between(0, 0.7);
         const oracle::Run<double> exact = run(problem, heading, 12, true);
         // Stepping cannot see what is smaller than a step.
         const double step = 1e-4;
@@ -105,11 +106,12 @@ TEST(Oracle, DoubleAndLongDoubleAgree) {
     for (int i = 0; i < cases; ++i) {
         const Case asked = random_case(13, std::uint64_t(i));
         const double heading = Random(std::uint64_t(i)).between(0, 0.7);
-        const auto fast = run(
-            make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter), heading, 20);
-        const auto fine = run(
-            make_problem<long double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter),
-            static_cast<long double>(heading), 20, true);
+        const auto fast =
+            run(make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter),
+                heading, 20);
+        const auto fine =
+            run(make_problem<long double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter),
+                static_cast<long double>(heading), 20, true);
         if (fine.graze < 1e-11L || std::abs(fine.least_top) < 1e-11L) continue;
         EXPECT_EQ(fast.parked(), fine.parked()) << command_line(asked) << " heading " << heading;
         EXPECT_EQ(fast.changes, fine.changes) << command_line(asked) << " heading " << heading;

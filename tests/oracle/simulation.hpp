@@ -90,8 +90,11 @@ struct Circle {
     Vec<Real> centre;
 
     Circle(Vec<Real> p, Vec<Real> c, int sense, Real path_radius)
-        : radius(std::hypot(p.x - c.x, p.y - c.y)), angle(std::atan2(p.y - c.y, p.x - c.x)), turn(Real(sense)),
-          scale(path_radius), centre(c) {}
+        : radius(std::hypot(p.x - c.x, p.y - c.y)),
+          angle(std::atan2(p.y - c.y, p.x - c.x)),
+          turn(Real(sense)),
+          scale(path_radius),
+          centre(c) {}
 
     void reach(Real at_angle, int kind, Moments<Real>& out) const {
         constexpr Real full = 2 * std::numbers::pi_v<Real>;
@@ -121,8 +124,8 @@ struct Circle {
 template <class Real>
 struct Drive {
     Real contact = std::numeric_limits<Real>::infinity();  // distance
-    int kind = -1;                                          // what lined up at the contact
-    Block block = front_block;                              // deepest just after the contact
+    int kind = -1;                                         // what lined up at the contact
+    Block block = front_block;                             // deepest just after the contact
     Real inside_from = std::numeric_limits<Real>::infinity();
     Real inside_to = std::numeric_limits<Real>::infinity();  // end of the first stretch inside
     Real least_top = std::numeric_limits<Real>::infinity();  // least height of the highest corner up to the contact
@@ -272,8 +275,8 @@ struct Leg {
 template <class Real>
 struct Run {
     snug::Outcome outcome = snug::Outcome::no_entry;
-    int changes = 0;            // direction changes when parked
-    std::uint64_t itinerary = 0;  // what met what, move after move, in one number
+    int changes = 0;                                         // direction changes when parked
+    std::uint64_t itinerary = 0;                             // what met what, move after move, in one number
     Real least_top = std::numeric_limits<Real>::infinity();  // D: the least over all moves driven
     int least_move = -1;
     Real graze = std::numeric_limits<Real>::infinity();
@@ -287,8 +290,8 @@ template <class Real>
 Place<Real> entry_place(const Problem<Real>& problem, Real heading) {
     if (problem.enter == snug::Enter::backward) {
         const Real c = std::cos(heading), s = std::sin(heading);
-        return {-(c * problem.grown.front + s * problem.grown.side), -(s * problem.grown.front - c * problem.grown.side),
-                heading};
+        return {-(c * problem.grown.front + s * problem.grown.side),
+                -(s * problem.grown.front - c * problem.grown.side), heading};
     }
     const Real c = std::cos(-heading), s = std::sin(-heading);
     return {-problem.gap.length + c * problem.grown.rear - s * problem.grown.side,

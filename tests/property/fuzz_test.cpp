@@ -1,0 +1,119 @@
+// Wild but valid questions: no crash, no hang, and answers that make sense.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "oracle/follower.hpp"
+#include "sample.hpp"
+#include "snug/snug.hpp"
+
+namespace oracle {
+namespace {
+
+double wild_length(Random& random) {
+    switch (random.below(5)) {
+        case 0: return std::pow(10.0, random.between(-6, 6));
+        case 1: return random.chance(0.5) ? 1e-6 : 1e6;
+        case 2: return double(1 + random.below(6));
+        default: return random.between(0.1, 6);
+    }
+}
+
+Case wild_case(std::uint64_t i) {
+    constexpr double degree = std::numbers::pi / 180;
+    Random random(i);
+    static const std::vector<Case> cases = [] {
+        std::vector<Case> made;
+        for (std::uint64_t k = 0; k < 100; ++k) made.push_back(random_case(41, k));
+        return made;
+    }();
+    Case asked = cases[std::size_t(i) % cases.size()];
+    const bool whole = random.chance(0.3);
+    for (double* length : {&asked.car.width, &asked.car.front, &asked.car.rear, &asked.car.wheelbase})
+        if (whole || random.chance(0.2)) *length = wild_length(random);
+    if (random.chance(0.4))
+        asked.car.max_steer =
+            (random.chance(0.2) ? (random.chance(0.5) ? 0.1001 : 89.8999) : random.between(0.11, 89.89)) * degree;
+    if (whole && random.chance(0.7)) {
+        asked.slot.length = std::clamp(asked.car_length() * random.between(0.9, 2), 1e-6, 1e6);
+        asked.slot.width = std::clamp(asked.car.width * random.between(0.9, 2), 1e-6, 1e6);
+    }
+    if (random.chance(0.2)) asked.slot.length = wild_length(random);
+    if (random.chance(0.2)) asked.slot.width = wild_length(random);
+    if (random.chance(0.1)) asked.slot.length = asked.car_length();
+    if (random.chance(0.1)) asked.slot.width = asked.car.width;
+    asked.slot.length = std::clamp(asked.slot.length, 1e-6, 1e6);
+    asked.slot.width = std::clamp(asked.slot.width, 1e-6, 1e6);
+    if (random.chance(0.1)) asked.slot.corner = {random.between(-1e9, 1e9), random.between(-1e9, 1e9)};
+    if (random.chance(0.1)) asked.clearance = random.between(0, 3);
+    asked.car_name.clear();
+    return asked;
+}
+
+TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
+    int parkable = 0, given_up = 0, refused = 0;
+    double slowest = 0;
+    std::string slowest_line;
+    const int questions = snug::test::sample(1500, 200000);
+    for (int i = 0; i < questions; ++i) {
+        const Case asked = wild_case(std::uint64_t(i));
+        Random random(std::uint64_t(i) + 5);
+        snug::EntryOptions options;
+        options.clearance = asked.clearance;
+        options.enter = asked.enter;
+        if (random.chance(0.5)) options.max_changes = random.below(random.chance(0.1) ? 2000 : 40);
+        if (random.chance(0.3)) options.min_range = random.between(0, 0.1);
+        const auto start = std::chrono::steady_clock::now();
+        const auto elapsed = [&] {
+            return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        };
+        options.progress = [&](double) { return elapsed() < 1.0; };
+        snug::EntryAnswer answer;
+        try {
+            answer = snug::entry(snug::Car(asked.car), snug::Slot(asked.slot), options);
+        } catch (const snug::Error&) {
+            ++refused;
+            continue;
+        }
+        if (elapsed() > slowest) slowest = elapsed(), slowest_line = command_line(asked);
+        EXPECT_LT(elapsed(), 10.0) << command_line(asked);
+        if (answer.cancelled) {
+            ++given_up;
+            continue;
+        }
+        EXPECT_EQ(answer.parkable, answer.direction_changes.has_value()) << command_line(asked);
+        EXPECT_EQ(answer.parkable, answer.maneuver.has_value()) << command_line(asked);
+        EXPECT_EQ(answer.parkable, !answer.ranges.empty()) << command_line(asked);
+        double last = 0;
+        for (const snug::HeadingRange& r : answer.ranges) {
+            EXPECT_TRUE(last <= r.min && r.min <= r.max && r.max <= std::numbers::pi / 2) << command_line(asked);
+            EXPECT_GE(r.direction_changes, answer.direction_changes.value_or(0)) << command_line(asked);
+            last = r.max;
+        }
+        if (!answer.maneuver) continue;
+        ++parkable;
+        // The 1e-9 m are for cars of ordinary size near the origin of the world.
+        const double size = std::max({asked.car_length(), asked.car.width, asked.slot.length, asked.slot.width,
+                                      asked.car.wheelbase / std::tan(asked.car.max_steer)});
+        const bool ordinary = size < 50 && asked.car.width > 0.1 && asked.car_length() > 0.5 &&
+                              std::hypot(asked.slot.corner.x, asked.slot.corner.y) < 1e3 &&
+                              *answer.direction_changes < 60;
+        if (ordinary)
+            for (const std::string& fault : faults(asked, *answer.maneuver, *answer.direction_changes))
+                ADD_FAILURE() << command_line(asked) << "\n    " << fault;
+        else
+            EXPECT_EQ(answer.maneuver->direction_changes(), *answer.direction_changes) << command_line(asked);
+        const double heading = random.between(0, 1.57);
+        snug::MaxSteerOptions run_options;
+        run_options.max_changes = options.max_changes.value_or(200);
+        (void)snug::max_steer(snug::Car(asked.car), snug::Slot(asked.slot), heading, run_options);
+    }
+    std::printf("%d questions, %d parkable, %d given up after a second, %d refused; slowest %.3f s: %s\n", questions,
+                parkable, given_up, refused, slowest, slowest_line.c_str());
+    EXPECT_GT(parkable, questions / 20);
+    EXPECT_LT(refused, questions / 2);
+}
+
+}  // namespace
+}  // namespace oracle
