@@ -164,6 +164,7 @@ std::string draw_entries(const Car& car, const Slot& slot, const EntryAnswer& an
     const std::vector<double> found = found_headings(answer.ranges);
     const auto entries_at = [&](const std::vector<double>& headings) {
         std::vector<Pose> poses;
+        poses.reserve(headings.size());
         for (const double heading : headings) {
             poses.push_back(entry_position(car, slot, heading, options));
         }

@@ -93,6 +93,7 @@ void draw_badges(cairo_t* canvas, const std::vector<Number>& numbers, double acr
     std::stable_sort(shown.begin(), shown.end(),
                      [&](const Number& a, const Number& b) { return along(a.at) < along(b.at); });
     std::vector<double> places;
+    places.reserve(shown.size());
     for (const Number& number : shown) {
         places.push_back(along(number.at));
     }

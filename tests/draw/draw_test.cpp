@@ -88,7 +88,7 @@ Pixels read_png(const std::string& bytes) {
     for (int y = 0; y < pixels.height; ++y, row += cairo_image_surface_get_stride(image.get())) {
         for (int x = 0; x < pixels.width; ++x) {
             std::uint32_t color = 0;
-            std::memcpy(&color, row + 4 * x, 4);
+            std::memcpy(&color, row + std::size_t{4} * static_cast<std::size_t>(x), 4);
             pixels.colors.push_back(color & 0xffffff);
         }
     }
@@ -222,6 +222,7 @@ TEST(Picture, IsTheSameFromManyThreads) {
     const Maneuver maneuver = shuffle(car, slot, 5);
     std::vector<std::string> pictures(4);
     std::vector<std::thread> threads;
+    threads.reserve(pictures.size());
     for (std::string& picture : pictures) {
         threads.emplace_back([&] { picture = draw_maneuver(slot, maneuver, PictureFormat::svg); });
     }
@@ -242,7 +243,7 @@ TEST(Picture, LiesInTheSlotFrameWhereverTheSlotIs) {
         const Pixels b = read_png(draw_maneuver(there, shuffle(car, there, 6), PictureFormat::png));
         ASSERT_EQ(a.height, b.height);
         long different = 0;
-        for (std::size_t i = static_cast<std::size_t>(160 * a.width); i < a.colors.size(); ++i) {  // below the header
+        for (std::size_t i = 160 * static_cast<std::size_t>(a.width); i < a.colors.size(); ++i) {  // below the header
             different += distance(a.colors[i], b.colors[i]) > 8 ? 1 : 0;
         }
         EXPECT_LT(different, 20);
