@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "check.hpp"
+#include "entering.hpp"
 #include "stepping_entry.hpp"
 
 namespace snug {
@@ -266,38 +267,7 @@ Direction other(Direction direction) {
     return direction == Direction::backward ? Direction::forward : Direction::backward;
 }
 
-/// From the slot frame of a car entering backward to the world of the one that does as it was told.
-Pose to_world(const Slot& slot, Enter enter, const Pose& pose) {
-    return slot.to_world(enter == Enter::backward ? pose : Pose{-slot.length() - pose.x, pose.y, -pose.heading});
-}
-
-Contact to_world(const Slot& slot, Enter enter, Contact contact) {
-    if (enter == Enter::forward) {
-        switch (contact.part) {
-            case CarPart::front_left_corner: contact.part = CarPart::rear_left_corner; break;
-            case CarPart::rear_left_corner: contact.part = CarPart::front_left_corner; break;
-            case CarPart::rear_right_corner: contact.part = CarPart::front_right_corner; break;
-            case CarPart::front_right_corner: contact.part = CarPart::rear_right_corner; break;
-            case CarPart::front_edge: contact.part = CarPart::rear_edge; break;
-            case CarPart::rear_edge: contact.part = CarPart::front_edge; break;
-            case CarPart::left_edge:
-            case CarPart::right_edge: break;
-        }
-        switch (contact.obstacle) {
-            case Obstacle::front_side: contact.obstacle = Obstacle::rear_side; break;
-            case Obstacle::rear_side: contact.obstacle = Obstacle::front_side; break;
-            case Obstacle::front_corner: contact.obstacle = Obstacle::rear_corner; break;
-            case Obstacle::rear_corner: contact.obstacle = Obstacle::front_corner; break;
-            case Obstacle::curb: break;
-        }
-    }
-    if (slot.side() == Side::left) {
-        contact.part = mirrored(contact.part);
-    }
-    return contact;
-}
-
-void check(const Car& car, const Stepping& steps) {
+void check_steps(const Car& car, const Stepping& steps) {
     check_between("step", steps.step, 1e-7, 1.0, " m");
     check_between("heading step", steps.heading_step, 1e-6, quarter_turn, " rad");
     check_between("number of steps in the car's full turn", 2.0 * std::numbers::pi * car.turning_radius() / steps.step,
@@ -364,10 +334,9 @@ double middle_of_widest(const std::vector<HeadingRange>& ranges, int count, cons
 
 MaxSteerRun stepping(const Car& car, const Slot& slot, double heading, const Stepping& steps,
                      const MaxSteerOptions& options) {
-    check(car, steps);
-    check_between("heading", heading, 0.0, quarter_turn, " rad");
-    check_between("maximum of direction changes", options.max_changes, 0.0, 100000.0, "");
-    check_between("clearance", options.clearance, 0.0, 1e6, " m");
+    check_steps(car, steps);
+    detail::check_entry_heading(heading);
+    detail::check(options);
 
     const Algorithm algorithm(car, slot, options.enter, options.clearance, steps);
     MaxSteerRun run{Outcome::no_entry, {car, {}}};
@@ -385,14 +354,14 @@ MaxSteerRun stepping(const Car& car, const Slot& slot, double heading, const Ste
             break;
         }
         Move move;
-        move.direction = options.enter == Enter::backward ? direction : other(direction);
+        move.direction = detail::entering_direction(options.enter, direction);
         move.steering_angle = slot.mirrored(direction == Direction::backward ? car.max_steer() : -car.max_steer());
         move.length = static_cast<double>(driven.steps) * steps.step;
-        move.start = to_world(slot, options.enter, pose);
+        move.start = detail::to_world(slot, options.enter, pose);
         pose = {at.x, at.y, pose.heading - static_cast<double>(driven.steps) * algorithm.turn()};
-        move.end = to_world(slot, options.enter, pose);
+        move.end = detail::to_world(slot, options.enter, pose);
         if (driven.end == MoveEnd::contact || (driven.end == MoveEnd::parked && steps.stop == StopRule::contact)) {
-            move.contact = to_world(slot, options.enter, algorithm.contact(at, direction));
+            move.contact = detail::to_world(slot, options.enter, algorithm.contact(at, direction));
         }
         run.maneuver.moves.push_back(move);
         if (driven.end != MoveEnd::contact) {
@@ -405,7 +374,7 @@ MaxSteerRun stepping(const Car& car, const Slot& slot, double heading, const Ste
 }
 
 EntryAnswer stepping_entry(const Car& car, const Slot& slot, const EntryOptions& options, const Stepping& steps) {
-    check(car, steps);
+    check_steps(car, steps);
     const Algorithm algorithm(car, slot, options.enter, options.clearance, steps);
 
     const auto samples = static_cast<std::size_t>(std::floor(quarter_turn / steps.heading_step)) + 1;

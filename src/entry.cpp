@@ -1,0 +1,127 @@
+#include "snug/entry.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "check.hpp"
+#include "entering.hpp"
+#include "heading_ranges.hpp"
+#include "stepping_entry.hpp"
+
+namespace snug {
+
+namespace {
+
+using namespace detail;
+
+constexpr int most_changes = 200;           ///< where the search ends unless told otherwise
+constexpr double one_subrange = 1e-11;      ///< ranges this close touch [rad]
+constexpr double inward = 2e-13;            ///< edges are moved this far into their range, beyond any rounding [rad]
+constexpr double resolvable_range = 1e-12;  ///< narrower ranges are no more than rounding [rad]
+
+/// Neighbouring ranges without a gap: one stretch of headings that all park.
+struct Stretch {
+    std::size_t first = 0;
+    std::size_t last = 0;
+};
+
+/// Stretches of the ranges that need at most `changes`, at least `width` wide.
+template <class Visit>
+void for_each_stretch(const std::vector<CountedHeadings>& ranges, int changes, double width, Visit visit) {
+    std::size_t first = 0;
+    while (first < ranges.size()) {
+        if (ranges[first].changes > changes) {
+            ++first;
+            continue;
+        }
+        std::size_t last = first;
+        while (last + 1 < ranges.size() && ranges[last + 1].changes <= changes &&
+               ranges[last + 1].min - ranges[last].max <= one_subrange)
+            ++last;
+        if (ranges[last].max - ranges[first].min >= width) visit(Stretch{first, last});
+        first = last + 1;
+    }
+}
+
+/// The smallest count for which some stretch of headings is wide enough; empty if there is none.
+std::optional<int> fewest_changes(const std::vector<CountedHeadings>& ranges, double width) {
+    std::vector<int> counts;
+    for (const CountedHeadings& range : ranges) counts.push_back(range.changes);
+    std::sort(counts.begin(), counts.end());
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    for (const int changes : counts) {
+        bool found = false;
+        for_each_stretch(ranges, changes, width, [&found](const Stretch&) { found = true; });
+        if (found) return changes;
+    }
+    return std::nullopt;
+}
+
+/// The ranges of all wide enough stretches, edges rounded inward.
+std::vector<HeadingRange> ranges_of(const std::vector<CountedHeadings>& found, int changes, double width) {
+    std::vector<HeadingRange> ranges;
+    int subrange = 0;
+    for_each_stretch(found, changes, width, [&](const Stretch& stretch) {
+        for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
+            const double edge = std::min(inward, (found[i].max - found[i].min) / 4.0);
+            const double min = found[i].min > 0.0 ? found[i].min + edge : 0.0;
+            ranges.push_back({min, found[i].max - edge, found[i].changes, subrange});
+        }
+        ++subrange;
+    });
+    return ranges;
+}
+
+double middle_of_widest(const std::vector<HeadingRange>& ranges, int changes) {
+    const HeadingRange* widest = nullptr;
+    for (const HeadingRange& range : ranges) {
+        const bool best = range.direction_changes == changes;
+        if (best && (widest == nullptr || range.max - range.min > widest->max - widest->min)) widest = &range;
+    }
+    return widest->min + (widest->max - widest->min) / 2.0;
+}
+
+EntryAnswer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& options) {
+    EntryAnswer answer;
+    const FullSteering steering(entering_problem(car, slot, options.enter, options.clearance));
+    const double width = std::max(options.min_range, resolvable_range);
+    const int limit = options.max_changes.value_or(most_changes);
+    std::vector<CountedHeadings> found = heading_ranges(steering, limit, !options.max_changes);
+    if (found.empty()) return answer;
+    std::optional<int> fewest = fewest_changes(found, width);
+    if (!options.max_changes) {  // nothing wide enough: allow more changes, a few at first
+        int allowed = found.front().changes;
+        for (int more = 1; !fewest && allowed < limit; more *= 2) {
+            allowed = std::min(allowed + more, limit);
+            found = heading_ranges(steering, allowed, false);
+            fewest = fewest_changes(found, width);
+        }
+    }
+    if (!fewest) return answer;
+    answer.parkable = true;
+    answer.direction_changes = fewest;
+    answer.ranges = ranges_of(found, options.max_changes ? limit : *fewest, width);
+    const MaxSteerOptions drive = {*fewest, options.clearance, options.enter};
+    answer.maneuver = max_steer(car, slot, middle_of_widest(answer.ranges, *fewest), drive).maneuver;
+    return answer;
+}
+
+}  // namespace
+
+EntryAnswer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
+    check(MaxSteerOptions{options.max_changes.value_or(most_changes), options.clearance, options.enter});
+    check_between("smallest range", options.min_range, 0.0, 1.5707963267948966, " rad");
+    const Shortfall lacks = shortfall(car, slot, options.clearance);
+    if (lacks.length > 0.0 || lacks.width > 0.0) return {};
+    if (const auto* steps = std::get_if<Stepping>(&options.strategy)) {
+        return stepping_entry(car, slot, options, *steps);
+    }
+    return max_steer_entry(car, slot, options);
+}
+
+Shortfall shortfall(const Car& car, const Slot& slot, double clearance) {
+    return {std::max(0.0, car.length() + 2.0 * clearance - slot.length()),
+            std::max(0.0, car.width() + clearance - slot.width())};
+}
+
+}  // namespace snug

@@ -1,0 +1,336 @@
+// The number of changes is piecewise constant in the entry heading, and its pieces can be arbitrarily thin. What does
+// not hide is the depth D_n (full_steering.hpp): parked during move n means D_n <= 0. D_n is continuous in the heading
+// as long as every move meets the same obstacles; it has a kink where two obstacles are met at once and jumps where a
+// corner that grazed an obstacle begins to miss it.
+//
+// So the interval of headings is split, from a coarse grid downwards,
+//   - at every jump, located to the last bit as the root of the grazing height (or by bisection),
+//   - at every root of D_n, located the same way,
+//   - wherever D_n or a grazing height falls on the left and rises on the right steeply enough to reach zero between,
+// until both ends of every piece tell its whole story.
+#include "heading_ranges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace snug::detail {
+
+namespace {
+
+constexpr double quarter_turn = 1.57079632679489661923;
+constexpr double unknown_slope = std::numeric_limits<double>::quiet_NaN();
+constexpr int never = std::numeric_limits<int>::max();
+
+/// What a piece may meet without a jump in between: an edge and the corner at its end count as one where the car rolls
+/// from one onto the other.
+int obstacle_of(const FullMove& move) {
+    switch (move.meets) {
+        case Meets::nothing: return 0;
+        case Meets::front_side:
+        case Meets::front_corner: return 1;
+        case Meets::curb: return move.quarter == 0 ? 2 : 7;
+        case Meets::rear_side: return 3;
+        case Meets::rear_corner: return move.quarter == 0 ? 3 : 4;
+        case Meets::front_top: return 5;
+        case Meets::rear_top: return 6;
+    }
+    return 0;
+}
+
+unsigned ahead_bit(const FullMove& move) {
+    switch (obstacle_of(move)) {
+        case 1: return ahead_front;
+        case 2:
+        case 7: return ahead_curb;
+        case 3: return ahead_rear;
+        default: return 0;
+    }
+}
+
+/// Value and slope of a smooth function at one heading.
+struct Sample {
+    double value = 0.0;
+    double slope = 0.0;
+};
+
+/// May one trust that a function that is positive at both ends of an interval stays so in between? Yes if it is far from
+/// zero for how much it moves, if it plainly rises or falls, or if its tangents, made twice as steep, meet above zero.
+/// (Beyond a jump slopes are infinite, so straight lines alone would not do.)
+bool stays_positive(const Sample& left, const Sample& right, double width) {
+    const double change = right.value - left.value;
+    const double gentle = std::min(std::abs(left.slope), std::abs(right.slope)) * width;
+    const double steep = std::max(std::abs(left.slope), std::abs(right.slope)) * width;
+    const double least = std::min(left.value, right.value);
+    if (left.slope < 0.0 && right.slope > 0.0) {
+        const double fall = 2.0 * left.slope;
+        const double rise = 2.0 * right.slope;
+        const double meet = (change - rise * width) / (fall - rise);
+        return !(meet > 0.0 && meet < width) || left.value + fall * meet > 0.0;
+    }
+    if (least > 2.0 * (std::abs(change) + gentle)) return true;
+    if (left.slope > 0.0 && right.slope < 0.0) return steep <= 4.0 * least;
+    const double straight = 0.5 * (left.slope + right.slope) * width;
+    return std::abs(change - straight) <= 0.5 * std::abs(change);
+}
+
+Sample negated(const Sample& sample) { return {-sample.value, -sample.slope}; }
+
+class Search {
+public:
+    Search(const FullSteering& steering, int max_changes, bool only_fewest)
+        : steering_(steering), limit_(max_changes), only_fewest_(only_fewest) {}
+
+    std::vector<CountedHeadings> run() {
+        for (const Headings& headings : possible_headings(steering_.problem)) search(headings);
+        std::vector<CountedHeadings> ranges = constant_ranges();
+        if (only_fewest_)
+            std::erase_if(ranges, [this](const CountedHeadings& range) { return range.changes != limit_; });
+        return ranges;
+    }
+
+private:
+    /// One run of the strategy: `count` moves in moves_ from `first`.
+    struct Run {
+        double heading = 0.0;
+        std::size_t first = 0;
+        std::size_t count = 0;
+        int changes = never;
+    };
+    struct Leaf {
+        double heading;
+        int changes;
+    };
+
+    void search(const Headings& headings) {
+        constexpr int cells = 48;
+        moves_.clear();
+        std::vector<Run> grid;
+        for (int i = 0; i <= cells; ++i) {
+            const double part = static_cast<double>(i) / cells;
+            grid.push_back(follow(headings.min + (headings.max - headings.min) * part, limit_));
+            if (headings.max == headings.min) break;
+        }
+        for (std::size_t i = 0; i + 1 < grid.size(); ++i) explore(grid[i], grid[i + 1]);
+        emit(grid.back());
+        leaves_.push_back({std::numeric_limits<double>::quiet_NaN(), never});  // ranges end here
+    }
+
+    Run follow(double heading, int last_move) {
+        Run run;
+        run.heading = heading;
+        run.first = moves_.size();
+        FullSteeringRun car(steering_, heading);
+        for (int n = 0; n <= last_move; ++n) {
+            moves_.push_back(car.drive<true>());
+            const FullMove& move = moves_.back();
+            if (move.depth <= 0.0) {
+                run.changes = n;
+                if (only_fewest_) limit_ = std::min(limit_, n);
+                break;
+            }
+            if (ended(run)) break;
+        }
+        run.count = moves_.size() - run.first;
+        return run;
+    }
+
+    /// Nothing new can come: the car circles freely, or is stuck both ways.
+    [[nodiscard]] bool ended(const Run& run) const {
+        const std::size_t count = moves_.size() - run.first;
+        const FullMove& last = moves_.back();
+        return last.meets == Meets::nothing || (last.stuck && count > 1 && moves_[moves_.size() - 2].stuck);
+    }
+
+    /// Move n of a run; a run that ended repeats its last two moves. (Moves without length are the limit of the shorter
+    /// and shorter moves of neighbouring headings.)
+    [[nodiscard]] const FullMove& move(const Run& run, std::size_t n) const {
+        if (n < run.count) return moves_[run.first + n];
+        const bool stuck = moves_[run.first + run.count - 1].stuck && run.count > 1;
+        return moves_[run.first + run.count - (stuck && (n - run.count) % 2 == 0 ? 2 : 1)];
+    }
+
+    [[nodiscard]] static Sample depth(const FullMove& move) { return {move.depth, move.depth_slope}; }
+    [[nodiscard]] static Sample first_graze(const FullMove& move) { return {move.graze[0], move.graze_slope}; }
+    [[nodiscard]] static Sample second_graze(const FullMove& move) { return {move.graze[1], move.graze_slope}; }
+
+    [[nodiscard]] static Sample tail_clears(const FullMove& move) { return {move.tail_clears, unknown_slope}; }
+    [[nodiscard]] static Sample nose_clears(const FullMove& move) { return {move.nose_clears, unknown_slope}; }
+
+    void explore(const Run& left, const Run& right) {
+        const double width = right.heading - left.heading;
+        if (width <= 4.0 * std::numeric_limits<double>::epsilon() * std::max(right.heading, 1e-3)) {
+            emit(left);
+            return;
+        }
+        const std::size_t moves = std::min(static_cast<std::size_t>(limit_) + 1, std::max(left.count, right.count));
+        for (std::size_t n = 0; n < moves; ++n) {
+            const FullMove& a = move(left, n);
+            const FullMove& b = move(right, n);
+            if (a.graze[0] * b.graze[0] < 0.0) return split_at_root(left, right, n, first_graze);
+            if (a.graze[1] * b.graze[1] < 0.0) return split_at_root(left, right, n, second_graze);
+            if (jump_between(a, b)) {
+                if (a.tail_clears * b.tail_clears < 0.0) return split_at_root(left, right, n, tail_clears);
+                if (a.nose_clears * b.nose_clears < 0.0) return split_at_root(left, right, n, nose_clears);
+                return split(left, right, 0.5);
+            }
+            for (const auto graze : {first_graze, second_graze}) {
+                const Sample at_a = graze(a);
+                const Sample at_b = graze(b);
+                if ((at_a.value > 0.0 && at_b.value > 0.0 && !stays_positive(at_a, at_b, width)) ||
+                    (at_a.value < 0.0 && at_b.value < 0.0 && !stays_positive(negated(at_a), negated(at_b), width)))
+                    return split_within(left, right, at_a, at_b);
+            }
+            if ((a.depth <= 0.0) != (b.depth <= 0.0)) return split_at_root(left, right, n, depth);
+            const bool parked = a.depth <= 0.0;
+            const Sample at_a = parked ? negated(depth(a)) : depth(a);
+            const Sample at_b = parked ? negated(depth(b)) : depth(b);
+            if (!stays_positive(at_a, at_b, width)) return split_within(left, right, at_a, at_b);
+            if (parked) break;
+            const double steepest = std::max(std::abs(a.depth_slope), std::abs(b.depth_slope));
+            if (!(std::abs(a.depth - b.depth) <= 4.0 * steepest * width + 1e-12 * steering_.problem.length))
+                return split(left, right, 0.5);  // a jump nothing else told of
+        }
+        emit(left);
+    }
+
+    /// Does what ends the move change between the two in any other way than one obstacle overtaking another?
+    [[nodiscard]] static bool jump_between(const FullMove& a, const FullMove& b) {
+        if (obstacle_of(a) == obstacle_of(b)) return false;
+        if (a.quarter != b.quarter) {  // where the later one ended, the other's obstacle must still lie ahead
+            const FullMove& early = a.quarter < b.quarter ? a : b;
+            const FullMove& late = a.quarter < b.quarter ? b : a;
+            return early.meets == Meets::curb || (late.ahead & ahead_bit(early)) == 0;
+        }
+        return (b.ahead & ahead_bit(a)) == 0 || (a.ahead & ahead_bit(b)) == 0;
+    }
+
+    void split(const Run& left, const Run& right, double part) {
+        const std::size_t mark = moves_.size();
+        const Run middle = follow(left.heading + (right.heading - left.heading) * part, limit_);
+        explore(left, middle);
+        explore(middle, right);
+        moves_.resize(mark);
+    }
+
+    /// At the lowest point of a parabola with these slopes, or else nearer to the steeper end.
+    void split_within(const Run& left, const Run& right, const Sample& a, const Sample& b) {
+        double part = std::abs(a.slope) > std::abs(b.slope) ? 0.3 : 0.7;
+        if (a.slope < 0.0 && b.slope > 0.0 && std::isfinite(a.slope) && std::isfinite(b.slope))
+            part = std::clamp(a.slope / (a.slope - b.slope), 0.05, 0.95);
+        split(left, right, part);
+    }
+
+    /// Splits at the root of a quantity of move n, up to neighbouring doubles. Newton from the better end, stepping
+    /// twice as far so that the root comes to lie between; bisection where that does not help.
+    template <class Quantity>
+    void split_at_root(const Run& left, const Run& right, std::size_t n, Quantity quantity) {
+        const std::size_t mark = moves_.size();
+        double a = left.heading;
+        double b = right.heading;
+        Sample at_a = quantity(move(left, n));
+        Sample at_b = quantity(move(right, n));
+        const bool left_is_out = at_a.value > 0.0;
+        const double resolution = 2.0 * std::numeric_limits<double>::epsilon() * std::max(b, 1e-3);
+        for (int i = 0; i < 200 && b - a > resolution; ++i) {
+            const double width = b - a;
+            double next = a + 0.5 * width;
+            const bool from_a = std::abs(at_a.value) < std::abs(at_b.value);
+            const Sample& best = from_a ? at_a : at_b;
+            const double slope = std::isnan(best.slope) ? (at_b.value - at_a.value) / width : best.slope;
+            const double step = -best.value / slope;
+            const double overshoot = step * (i % 3 == 0 ? 1.0 : 2.0);
+            const double guess =
+                (from_a ? a : b) + (std::abs(overshoot) > resolution ? overshoot : std::copysign(resolution, step));
+            if (i % 8 != 7 && guess > a && guess < b) next = guess;
+            if (next <= a || next >= b) break;
+            const Run run = follow_to(next, n);
+            const Sample value = quantity(move(run, n));
+            moves_.resize(mark);
+            if (std::isnan(value.value)) {  // another event in between: leave it to the recursion
+                return split(left, right, (next - left.heading) / (right.heading - left.heading));
+            }
+            if ((value.value > 0.0) == left_is_out) {
+                a = next;
+                at_a = value;
+            } else {
+                b = next;
+                at_b = value;
+            }
+        }
+        const Run before = follow(a, limit_);
+        const Run after = follow(b, limit_);
+        explore(left, before);
+        emit(before);
+        explore(after, right);
+        moves_.resize(mark);
+    }
+
+    /// Like follow, up to move n and past parked ones.
+    Run follow_to(double heading, std::size_t n) {
+        Run run;
+        run.heading = heading;
+        run.first = moves_.size();
+        FullSteeringRun car(steering_, heading);
+        for (std::size_t i = 0; i <= n; ++i) {
+            moves_.push_back(car.drive<true>());
+            if (ended(run)) break;
+        }
+        run.count = moves_.size() - run.first;
+        return run;
+    }
+
+    void emit(const Run& run) { leaves_.push_back({run.heading, run.changes}); }
+
+    [[nodiscard]] std::vector<CountedHeadings> constant_ranges() const {
+        std::vector<CountedHeadings> ranges;
+        bool open = false;
+        for (const Leaf& leaf : leaves_) {
+            if (leaf.changes == never) {
+                open = false;
+            } else if (open && ranges.back().changes == leaf.changes) {
+                ranges.back().max = leaf.heading;
+            } else {
+                ranges.push_back({leaf.heading, leaf.heading, leaf.changes});
+                open = true;
+            }
+        }
+        return ranges;
+    }
+
+    const FullSteering& steering_;
+    int limit_;  ///< counts above it do not interest
+    bool only_fewest_;
+    std::vector<FullMove> moves_;  ///< of all runs in use, last in first out
+    std::vector<Leaf> leaves_;     ///< ends of finished pieces, in rising order
+};
+
+}  // namespace
+
+std::vector<Headings> possible_headings(const Problem& problem) {
+    const double length = problem.touching.front + problem.touching.rear;
+    const double width = problem.touching.left + problem.touching.right;
+    if (length > problem.length) return {};
+    double largest = std::atan2(problem.radius + problem.touching.right, problem.touching.front);
+    if (problem.width < length) largest = std::min(largest, std::asin(problem.width / length));
+    largest = std::min(largest, quarter_turn);
+
+    // The rear-left corner is above the entry side up to `level`; until then the rear edge must clear the slot's rear
+    // corner, afterwards the corner must clear the rear side.
+    const double level = std::atan2(width, length);
+    const double diagonal = std::hypot(length, width);
+    if (problem.length >= diagonal) return {{0.0, largest}};
+    std::vector<Headings> possible;
+    possible.push_back({0.0, std::min({std::acos(length / problem.length), level, largest})});
+    const double again = level + std::acos(problem.length / diagonal);
+    if (again <= largest) possible.push_back({again, largest});
+    return possible;
+}
+
+std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, bool only_fewest) {
+    return Search(steering, max_changes, only_fewest).run();
+}
+
+}  // namespace snug::detail
