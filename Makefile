@@ -10,7 +10,9 @@ build: setup
 	cmake --build --preset release --parallel $(JOBS)
 
 # Solves a slot, prints the answer, writes a picture.
-demo: build
+demo: setup
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS) --target snug_cli
 	@mkdir -p out
 	build/release/snug entry --car mid-size --length 5.1 --width 2.2 --draw out/demo.svg
 	@echo "The picture is out/demo.svg"
@@ -26,7 +28,9 @@ test: check-format check-tidy build
 soak: build
 	ctest --preset soak --parallel $(JOBS)
 
-bench: build
+bench: setup
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS) --target snug_bench
 	build/release/snug_bench
 
 format: setup
