@@ -24,29 +24,18 @@ constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double unknown_slope = std::numeric_limits<double>::quiet_NaN();
 constexpr int never = std::numeric_limits<int>::max();
 
-/// What a piece may meet without a jump in between: an edge and the corner at its end count as one where the car rolls
-/// from one onto the other.
-int obstacle_of(const FullMove& move) {
+/// What `move` met, and what else it may come to meet in a quarter turn without a jump: the car rolls from an edge onto
+/// the corner at its end and back. Only the tail that swings up behind the rear corner does not roll, it flies.
+unsigned same_obstacle(const FullMove& move, int quarter) {
     switch (move.meets) {
-        case Meets::nothing: return 0;
         case Meets::front_side:
-        case Meets::front_corner: return 1;
-        case Meets::curb: return move.quarter == 0 ? 2 : 7;
-        case Meets::rear_side: return 3;
-        case Meets::rear_corner: return move.quarter == 0 ? 3 : 4;
-        case Meets::front_top: return 5;
-        case Meets::rear_top: return 6;
-    }
-    return 0;
-}
-
-unsigned ahead_bit(const FullMove& move) {
-    switch (obstacle_of(move)) {
-        case 1: return ahead_front;
-        case 2:
-        case 7: return ahead_curb;
-        case 3: return ahead_rear;
-        default: return 0;
+        case Meets::front_corner: return bit_of(Meets::front_side) | bit_of(Meets::front_corner);
+        case Meets::rear_side:
+        case Meets::rear_corner:
+            if (quarter == 0) return bit_of(Meets::rear_side) | bit_of(Meets::rear_corner);
+            return move.quarter == 0 ? bit_of(Meets::rear_side) : bit_of(move.meets);
+        case Meets::curb: return move.quarter == quarter ? bit_of(Meets::curb) : 0U;
+        default: return bit_of(move.meets);
     }
 }
 
@@ -196,15 +185,15 @@ private:
         emit(left);
     }
 
-    /// Does what ends the move change between the two in any other way than one obstacle overtaking another?
+    /// Does what ends the move change between the two in any other way than by rolling on, or by one obstacle getting in
+    /// the way of another? Looked at where the later of the two ends, the other's obstacle must still lie ahead.
     [[nodiscard]] static bool jump_between(const FullMove& a, const FullMove& b) {
-        if (obstacle_of(a) == obstacle_of(b)) return false;
-        if (a.quarter != b.quarter) {  // where the later one ended, the other's obstacle must still lie ahead
-            const FullMove& early = a.quarter < b.quarter ? a : b;
-            const FullMove& late = a.quarter < b.quarter ? b : a;
-            return early.meets == Meets::curb || (late.ahead & ahead_bit(early)) == 0;
-        }
-        return (b.ahead & ahead_bit(a)) == 0 || (a.ahead & ahead_bit(b)) == 0;
+        const FullMove& early = a.quarter < b.quarter ? a : b;
+        const FullMove& late = a.quarter < b.quarter ? b : a;
+        const unsigned expected = same_obstacle(early, late.quarter);
+        if ((expected & bit_of(late.meets)) != 0) return false;
+        if ((expected & late.ahead) == 0) return true;
+        return early.quarter == late.quarter && (same_obstacle(late, early.quarter) & early.ahead) == 0;
     }
 
     void split(const Run& left, const Run& right, double part) {

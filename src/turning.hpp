@@ -150,13 +150,11 @@ struct QuarterContact {
     double order = -2.0;  ///< s - c; the first contact of a clockwise turn is the largest
     double across = 0.0;  ///< the root taken: how squarely the circle crosses the line [m]
     Meets meets = Meets::nothing;
-    unsigned ahead = 0;  ///< everything that would be met in this quarter, were nothing else in the way
+    unsigned ahead = 0;  ///< bits of everything that would be met in this quarter, were nothing else in the way
 };
 
-/// Bits of QuarterContact::ahead.
-inline constexpr unsigned ahead_front = 1;
-inline constexpr unsigned ahead_curb = 2;
-inline constexpr unsigned ahead_rear = 4;
+/// The bit of QuarterContact::ahead.
+constexpr unsigned bit_of(Meets meets) { return 1U << static_cast<unsigned>(meets); }
 
 /// First contact while turning clockwise about (x, y) within a quarter, from the heading (c, s). What touches already and
 /// would move in is met at once; what touches and moves away, or along, is not met.
@@ -166,8 +164,8 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
     const double start_order = start_s - start_c;
     // `gap`: how far off the obstacle is at the start; `closing`: the gap shrinks from there on; `slips_off`: asked only
     // of what touches, whether two corners meet there and part at once.
-    const auto consider = [&](double c, double s, double across, double gap, bool closing, auto slips_off, Meets meets,
-                              unsigned bit) {
+    const auto consider = [&](double c, double s, double across, double gap, bool closing, auto slips_off,
+                              Meets meets) {
         if (std::abs(gap) <= problem.touch && closing) {
             if (slips_off()) return;
             c = start_c;
@@ -175,7 +173,7 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
         }
         const double order = s - c;
         if (!(s >= 0.0 && c >= 0.0 && order <= start_order)) return;
-        first.ahead |= bit;
+        first.ahead |= bit_of(meets);
         if (order > first.order) {
             first.c = c;
             first.s = s;
@@ -185,8 +183,7 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
         }
     };
     // A corner of the car meets an upright wall; the wall lies to the right (sign 1) or to the left (sign -1).
-    const auto corner_meets_side = [&](const TurningCorner& corner, double wall, double sign, Meets meets,
-                                       unsigned bit) {
+    const auto corner_meets_side = [&](const TurningCorner& corner, double wall, double sign, Meets meets) {
         const double along = wall - x;
         const double square = (corner.radius - along) * (corner.radius + along);
         if (!(square >= 0.0)) return;
@@ -200,10 +197,10 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
         const double gap = sign * (along - start_x);
         if (!(y + corner.x * s + corner.y * c <= 0.0)) return;
         consider(
-            c, s, across, gap, closing, [&] { return y + start_y >= -problem.touch && rising; }, meets, bit);
+            c, s, across, gap, closing, [&] { return y + start_y >= -problem.touch && rising; }, meets);
     };
     // The lowest corner meets level ground.
-    const auto corner_meets_ground = [&](double ground, Meets meets, unsigned bit) {
+    const auto corner_meets_ground = [&](double ground, Meets meets) {
         const TurningCorner& corner = frame.lowest;
         const double across = ground - y;
         const double square = (corner.radius - across) * (corner.radius + across);
@@ -215,19 +212,19 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
         const bool closing = corner.x * start_c - corner.y * start_s > 0.0;
         const auto stays = [] { return false; };
         if (meets == Meets::curb) {
-            consider(c, s, along, gap, closing, stays, meets, bit);
+            consider(c, s, along, gap, closing, stays, meets);
         } else {
             const double where = x + corner.x * c - corner.y * s;
-            if (where > 0.0) consider(c, s, along, gap, closing, stays, Meets::front_top, bit);
-            if (where < -problem.length) consider(c, s, along, gap, closing, stays, Meets::rear_top, bit);
+            if (where > 0.0) consider(c, s, along, gap, closing, stays, Meets::front_top);
+            if (where < -problem.length) consider(c, s, along, gap, closing, stays, Meets::rear_top);
         }
     };
 
-    corner_meets_side(frame.rightmost, 0.0, 1.0, Meets::front_side, ahead_front);
-    corner_meets_side(frame.leftmost, -problem.length, -1.0, Meets::rear_side, ahead_rear);
-    corner_meets_ground(-problem.width, Meets::curb, ahead_curb);
+    corner_meets_side(frame.rightmost, 0.0, 1.0, Meets::front_side);
+    corner_meets_side(frame.leftmost, -problem.length, -1.0, Meets::rear_side);
+    corner_meets_ground(-problem.width, Meets::curb);
     if (y + frame.lowest.x * start_s + frame.lowest.y * start_c > -problem.touch)
-        corner_meets_ground(0.0, Meets::rear_top, 0);
+        corner_meets_ground(0.0, Meets::rear_top);
 
     {  // the slot's front corner meets the edge from the lowest to the rightmost corner
         const double gx = -x;
@@ -246,7 +243,7 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
                              return (start_x >= frame.rightmost.x - problem.touch && start_y <= 0.0) ||
                                     (start_x <= frame.lowest.x + problem.touch && start_y >= 0.0);
                          },
-                         Meets::front_corner, ahead_front);
+                         Meets::front_corner);
         }
     }
     {  // the slot's rear corner meets the edge from the lowest to the leftmost corner
@@ -266,7 +263,7 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
                              return (start_y >= frame.leftmost.y - problem.touch && start_x >= 0.0) ||
                                     (start_y <= frame.lowest.y + problem.touch && start_x <= 0.0);
                          },
-                         Meets::rear_corner, ahead_rear);
+                         Meets::rear_corner);
         }
     }
     return first;
