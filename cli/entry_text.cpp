@@ -126,13 +126,14 @@ std::string entry_position(const EntryQuestion& question, const EntryAnswer& ans
         rows.push_back({"", "from " + fixed(range->min / degree, digits) + " to " + fixed(range->max / degree, digits) +
                                 " deg, so at most " + fixed(spare / degree, digits) + " deg off either way"});
     }
-    rows.push_back({"rear axle", metres(std::abs(in_slot.x)) + (in_slot.x <= 0.0 ? " behind" : " ahead of") +
-                                     " the slot's front corner, " + metres(std::abs(in_slot.y)) +
+    const double ahead = backward ? in_slot.x : in_slot.x + question.slot.length();
+    rows.push_back({"rear axle", metres(std::abs(ahead)) + (ahead <= 0.0 ? " behind" : " ahead of") + " the slot's " +
+                                     touching + " corner, " + metres(std::abs(in_slot.y)) +
                                      (in_slot.y < 0.0 ? " inside the slot" : " out in the road")});
     rows.push_back({"room", metres(backward ? room.rear : room.front) + " to the " + (backward ? "rear" : "front") +
                                 " neighbour, " + metres(room.curb) + " to the curb"});
     rows.push_back({"road", "the car stands " + metres(room.road) + " out in the road"});
-    return "Where to enter\n" + table(rows, "ll");
+    return "\nWhere to enter\n" + table(rows, "ll");
 }
 
 std::string steering(const Car& car, double angle) {
@@ -160,12 +161,12 @@ std::string moves(const EntryQuestion& question, const Maneuver& maneuver) {
     }
     const std::string full = fixed(question.car.max_steer() / degree, 1) + " deg";
     const std::string nearing = clearance > 0.0 ? "; nears: to within " + metres(clearance) : "";
-    return "What to do (full steering: " + full + nearing + ")\n" + table(rows, "rllrl");
+    return "\nWhat to do (full steering: " + full + nearing + ")\n" + table(rows, "rllrl");
 }
 
 std::string result(const EntryQuestion& question, const Maneuver& maneuver) {
     const Gaps left = gaps(question.car, question.slot, maneuver.goal());
-    return "How it ends\n" +
+    return "\nHow it ends\n" +
            table({{"driven", metres(maneuver.length()) + " in all"},
                   {"swing-out", metres(swept(maneuver, question.slot).y_max) + " into the road at most"},
                   {"gaps", metres(left.front) + " to the front neighbour, " + metres(left.rear) + " to the rear one,"},
@@ -208,8 +209,8 @@ std::string entry_text(const EntryQuestion& question, const EntryAnswer& answer)
     std::string text = name(question.car) + " parks in " + slot_words(question.slot) + "\nwith " +
                        changes(answer.direction_changes.value_or(0)) + ".\n";
     if (answer.maneuver) {
-        text += "\n" + entry_position(question, answer) + "\n" + moves(question, *answer.maneuver) + "\n" +
-                result(question, *answer.maneuver);
+        text +=
+            entry_position(question, answer) + moves(question, *answer.maneuver) + result(question, *answer.maneuver);
     }
     return text + ranges(answer);
 }

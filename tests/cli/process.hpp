@@ -97,7 +97,9 @@ inline std::vector<std::string> words(const std::string& line) {
     std::vector<std::string> all;
     for (std::size_t from = 0; from < line.size();) {
         const std::size_t end = std::min(line.find(' ', from), line.size());
-        all.push_back(line.substr(from, end - from));
+        if (end > from) {
+            all.push_back(line.substr(from, end - from));
+        }
         from = end + 1;
     }
     return all;

@@ -12,6 +12,16 @@ namespace {
 const std::string zoe = "entry --car renault-zoe --length 5 --width 2 ";
 const std::string too_small = "entry --car renault-zoe --extra-length -0.1 --width 2 ";
 
+/// Questions of every kind that a car can answer by parking.
+const std::vector<std::string> parkable = {
+    zoe,
+    zoe + "--side left",
+    zoe + "--max-changes 6",
+    zoe + "--clearance 0.02",
+    zoe + "--strategy stepping --step 0.01 --heading-step 0.001",
+    "entry --car renault-zoe --length 7 --width 3.2 --enter forward",
+};
+
 std::vector<std::string> keys(const Json& object) {
     std::vector<std::string> all;
     for (const auto& item : object.items()) {
@@ -58,10 +68,9 @@ TEST(Entry, JsonHasTheDocumentedKeysInOrder) {
 }
 
 TEST(Entry, PartsOfAnAnswerAgree) {
-    for (const std::string more : {"", "--side left", "--enter forward", "--max-changes 6", "--clearance 0.02",
-                                   "--strategy stepping --step 0.01 --heading-step 0.001"}) {
-        const Result result = run(words(zoe + "--format json " + more));
-        ASSERT_EQ(result.exit_code, 0) << more << ": " << result.err;
+    for (const std::string& question : parkable) {
+        const Result result = run(question + " --format json");
+        ASSERT_EQ(result.exit_code, 0) << question << ": " << result.err;
         const Json answer = Json::parse(result.out);
         const Json& maneuver = answer["maneuver"];
         const Json& moves = maneuver["moves"];
@@ -123,8 +132,8 @@ TEST(Entry, CsvHasOneRowPerRange) {
 }
 
 TEST(Entry, TextFitsEightyColumns) {
-    for (const std::string more : {"", "--side left", "--enter forward", "--max-changes 6", "--clearance 0.02"}) {
-        const Result result = run(words(zoe + more));
+    for (const std::string& question : parkable) {
+        const Result result = run(question);
         EXPECT_EQ(result.exit_code, 0) << result.err;
         EXPECT_GT(lines(result.out).size(), 10U);
         for (const std::string& line : lines(result.out)) {
