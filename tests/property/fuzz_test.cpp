@@ -55,7 +55,7 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
     int parkable = 0, given_up = 0, refused = 0;
     double slowest = 0;
     std::string slowest_line;
-    const int questions = snug::test::sample(1500, 200000);
+    const int questions = snug::test::sample(400, 100000);
     for (int i = 0; i < questions; ++i) {
         const Case asked = wild_case(std::uint64_t(i));
         Random random(std::uint64_t(i) + 5);
@@ -64,11 +64,14 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
         options.enter = asked.enter;
         if (random.chance(0.5)) options.max_changes = random.below(random.chance(0.1) ? 2000 : 40);
         if (random.chance(0.3)) options.min_range = random.between(0, 0.1);
+        std::string line = command_line(asked);
+        if (options.max_changes) line += " --max-changes " + std::to_string(*options.max_changes);
+        if (options.min_range > 0) line += " --min-range " + testing::PrintToString(options.min_range);
         const auto start = std::chrono::steady_clock::now();
         const auto elapsed = [&] {
             return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         };
-        options.progress = [&](double) { return elapsed() < 1.0; };
+        options.progress = [&](double) { return elapsed() < 0.5; };
         snug::EntryAnswer answer;
         try {
             answer = snug::entry(snug::Car(asked.car), snug::Slot(asked.slot), options);
@@ -76,19 +79,20 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
             ++refused;
             continue;
         }
-        if (elapsed() > slowest) slowest = elapsed(), slowest_line = command_line(asked);
-        EXPECT_LT(elapsed(), 10.0) << command_line(asked);
+        if (elapsed() > slowest) slowest = elapsed(), slowest_line = line;
+        // Well after the question was given up.
+        EXPECT_LT(elapsed(), 5.0) << line;
         if (answer.cancelled) {
             ++given_up;
             continue;
         }
-        EXPECT_EQ(answer.parkable, answer.direction_changes.has_value()) << command_line(asked);
-        EXPECT_EQ(answer.parkable, answer.maneuver.has_value()) << command_line(asked);
-        EXPECT_EQ(answer.parkable, !answer.ranges.empty()) << command_line(asked);
+        EXPECT_EQ(answer.parkable, answer.direction_changes.has_value()) << line;
+        EXPECT_EQ(answer.parkable, answer.maneuver.has_value()) << line;
+        EXPECT_EQ(answer.parkable, !answer.ranges.empty()) << line;
         double last = 0;
         for (const snug::HeadingRange& r : answer.ranges) {
-            EXPECT_TRUE(last <= r.min && r.min <= r.max && r.max <= std::numbers::pi / 2) << command_line(asked);
-            EXPECT_GE(r.direction_changes, answer.direction_changes.value_or(0)) << command_line(asked);
+            EXPECT_TRUE(last <= r.min && r.min <= r.max && r.max <= std::numbers::pi / 2) << line;
+            EXPECT_GE(r.direction_changes, answer.direction_changes.value_or(0)) << line;
             last = r.max;
         }
         if (!answer.maneuver) continue;
@@ -101,16 +105,16 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
                               *answer.direction_changes < 60;
         if (ordinary)
             for (const std::string& fault : faults(asked, *answer.maneuver, *answer.direction_changes))
-                ADD_FAILURE() << command_line(asked) << "\n    " << fault;
+                ADD_FAILURE() << line << "\n    " << fault;
         else
-            EXPECT_EQ(answer.maneuver->direction_changes(), *answer.direction_changes) << command_line(asked);
+            EXPECT_EQ(answer.maneuver->direction_changes(), *answer.direction_changes) << line;
         const double heading = random.between(0, 1.57);
         snug::MaxSteerOptions run_options;
         run_options.max_changes = options.max_changes.value_or(200);
         (void)snug::max_steer(snug::Car(asked.car), snug::Slot(asked.slot), heading, run_options);
     }
-    std::printf("%d questions, %d parkable, %d given up after a second, %d refused; slowest %.3f s: %s\n", questions,
-                parkable, given_up, refused, slowest, slowest_line.c_str());
+    std::printf("%d questions, %d parkable, %d given up after half a second, %d refused; slowest %.3f s: %s\n",
+                questions, parkable, given_up, refused, slowest, slowest_line.c_str());
     EXPECT_GT(parkable, questions / 20);
     EXPECT_LT(refused, questions / 2);
 }
