@@ -77,7 +77,7 @@ public:
             const QuarterFrame& frame = frames[static_cast<std::size_t>(now.quarter & 3)];
             contact = first_contact_in_quarter(frame, x_, y_, steering_->problem, now.c, now.s);
             // A full circle ends where it began, whatever rounding makes of touching there.
-            if (quarters == 4 && contact.order < heading_.order() + 1e-9) contact.meets = Meets::nothing;
+            if (quarters == 4 && contact.order < heading_.order() + 1e-4) contact.meets = Meets::nothing;
             note_graze(frame, now, contact, move);
             if (contact.meets != Meets::nothing) break;
             if (y_ + frame.top.y < move.depth) {

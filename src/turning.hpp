@@ -215,8 +215,8 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
             consider(c, s, along, gap, closing, stays, meets);
         } else {
             const double where = x + corner.x * c - corner.y * s;
-            if (where > 0.0) consider(c, s, along, gap, closing, stays, Meets::front_top);
-            if (where < -problem.length) consider(c, s, along, gap, closing, stays, Meets::rear_top);
+            if (where > problem.touch) consider(c, s, along, gap, closing, stays, Meets::front_top);
+            if (where < -problem.length - problem.touch) consider(c, s, along, gap, closing, stays, Meets::rear_top);
         }
     };
 

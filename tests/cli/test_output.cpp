@@ -2,6 +2,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <csignal>
 
 #include "process.hpp"
@@ -100,11 +101,16 @@ TEST(Output, AClosedPipeIsAnError) {
 TEST(Output, CtrlCRemovesTheTemporaryFile) {
     const Folder folder;
     const std::string file = folder.file("out.json");
+    const std::vector<std::string> question =
+        words(zoe + "--format json --strategy stepping --heading-step 0.001 -o " + file);
+    const auto begin = std::chrono::steady_clock::now();
+    ASSERT_EQ(wait_for(start(question, "/dev/null", "/dev/null")), 0);
+    const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begin);
     int interrupted = 0;
     for (const int signal : {SIGINT, SIGTERM}) {
-        for (int delay = 0; delay < 4000; delay += 200) {
-            const pid_t child = start(words(zoe + "--format json --strategy stepping --heading-step 0.001 -o " + file),
-                                      "/dev/null", "/dev/null");
+        for (int part = 0; part < 20; ++part) {
+            const auto delay = whole.count() * part / 20;
+            const pid_t child = start(question, "/dev/null", "/dev/null");
             usleep(static_cast<useconds_t>(delay));
             kill(child, signal);
             int status = 0;
