@@ -43,6 +43,11 @@ TEST(EntrySoak, TheOracleFindsNothingBetterNothingMoreAndNothingWrong) {
             }
             const std::lock_guard lock(mutex);
             total += verdict;
+            if (verdict.seconds > 2) {
+                std::printf("case %llu took the solver %.1f s: %s\n", static_cast<unsigned long long>(first + i),
+                            verdict.seconds, command_line(asked).c_str());
+                std::fflush(stdout);
+            }
             parkable += verdict.parkable;
             only_thin += verdict.only_thin;
             ++kinds[asked.kind].first;
@@ -73,6 +78,7 @@ TEST(EntrySoak, TheOracleFindsNothingBetterNothingMoreAndNothingWrong) {
                 total.dips);
     std::printf("%ld edges of ranges, %ld within rounding; %ld other headings within rounding\n", total.edges,
                 total.undecided_edges, total.undecided);
+    std::printf("slowest answer %.3f s\n", total.seconds);
     EXPECT_EQ(failing, 0);
 }
 

@@ -1,5 +1,6 @@
 #include "judge.hpp"
 
+#include <chrono>
 #include <optional>
 #include <sstream>
 
@@ -56,11 +57,11 @@ public:
         snug::EntryOptions problem1;
         problem1.clearance = asked_.clearance;
         problem1.enter = asked_.enter;
-        const snug::EntryAnswer best = snug::entry(car, slot, problem1);
+        const snug::EntryAnswer best = answer_to(car, slot, problem1);
         snug::EntryOptions problem2 = problem1;
         problem2.max_changes =
             best.direction_changes ? *best.direction_changes + asked_.more_changes : options_.unparkable_changes;
-        const snug::EntryAnswer all = snug::entry(car, slot, problem2);
+        const snug::EntryAnswer all = answer_to(car, slot, problem2);
 
         verdict_.parkable = best.parkable;
         if (best.parkable != best.direction_changes.has_value() || best.parkable != best.maneuver.has_value() ||
@@ -86,6 +87,14 @@ private:
     template <class... Words>
     void fail(const Words&... words) {
         if (verdict_.failures.size() < 5) verdict_.failures.push_back(sentence(words...));
+    }
+
+    snug::EntryAnswer answer_to(const snug::Car& car, const snug::Slot& slot, const snug::EntryOptions& options) {
+        const auto start = std::chrono::steady_clock::now();
+        snug::EntryAnswer answer = snug::entry(car, slot, options);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        verdict_.seconds = std::max(verdict_.seconds, took.count());
+        return answer;
     }
 
     // Rising, each within [0, pi/2], as wide as can be, subranges numbered by touching.
@@ -317,7 +326,7 @@ private:
             }
         }
         if (close) return;
-        const snug::EntryAnswer answer = snug::entry(car, slot, options);
+        const snug::EntryAnswer answer = answer_to(car, slot, options);
         if (answer.direction_changes != expected)
             fail("with --min-range ", options.min_range, " --max-changes ", limit_, " the fewest is ",
                  answer.direction_changes.value_or(-1), ", expected ", expected.value_or(-1));

@@ -2,6 +2,7 @@
 // followed. Shares nothing with the solver but the types it answers with.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Verdict {
     long undecided_edges = 0;  // of them those within 1e-12 of another outcome and off by that
     long undecided = 0;        // other headings so
     long dips = 0;             // places where the depth was minimised
+    double seconds = 0;        // the slowest answer
     bool parkable = false;
     double thinnest = 10;    // the thinnest reported subrange
     bool only_thin = false;  // no best subrange is wider than the paper's sampling of 1e-4 rad
@@ -31,6 +33,7 @@ struct Verdict {
         undecided_edges += other.undecided_edges;
         undecided += other.undecided;
         dips += other.dips;
+        seconds = std::max(seconds, other.seconds);
         return *this;
     }
 };
