@@ -132,13 +132,10 @@ private:
     /// The lowest corner's circle reaches down to y - radius; note it where the move sweeps that point or meets the curb.
     void note_graze(const QuarterFrame& frame, const QuarterHeading& from, const QuarterContact& contact,
                     FullMove& move) const {
-        if (from.quarter < 0 || from.quarter > 1) return;
-        const TurningCorner& corner = frame.lowest;
-        if (!(corner.x <= 0.0 && corner.y <= 0.0)) return;
-        const double order = (corner.y - corner.x) / corner.radius;
-        if (order > from.order()) return;
-        if (contact.meets != Meets::nothing && contact.meets != Meets::curb && contact.order > order) return;
-        move.graze[static_cast<std::size_t>(from.quarter)] = y_ + steering_->problem.width - corner.radius;
+        if (from.quarter > 1 || frame.graze_order > from.order()) return;
+        const bool stopped = contact.meets != Meets::nothing && contact.meets != Meets::curb;
+        if (stopped && contact.order > frame.graze_order) return;
+        move.graze[static_cast<std::size_t>(from.quarter)] = y_ + steering_->problem.width - frame.lowest.radius;
     }
 
     void note_clearings(const QuarterFrame& frame, FullMove& move) const {

@@ -14,8 +14,10 @@
 // on a circle: one square root, and only one of the two crossings leads inward.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
@@ -118,6 +120,8 @@ struct QuarterFrame {
     TurningCorner leftmost;   ///< shares its x with the lowest
     TurningCorner rightmost;  ///< shares its y with the lowest
     TurningCorner top;        ///< highest corner of the parked frame
+    double graze_order =
+        0.0;  ///< order() of the heading at which the lowest corner is lowest; infinite if in no quarter
 };
 
 /// The frame in all four quarter turns about one turning centre.
@@ -136,6 +140,8 @@ inline TurningFrame turning_frame(const Extents& touching, const Extents& parked
         const double left = -outer[(q + 2) % 4] - centre_x[q];
         const double bottom = -outer[(q + 3) % 4] - centre_y[q];
         frames[q].lowest = {left, bottom};
+        frames[q].graze_order = left <= 0.0 && bottom <= 0.0 ? (bottom - left) / frames[q].lowest.radius
+                                                             : std::numeric_limits<double>::infinity();
         frames[q].leftmost = {left, top};
         frames[q].rightmost = {right, bottom};
         frames[q].top = {inner[q] - centre_x[q], inner[(q + 1) % 4] - centre_y[q]};
@@ -156,23 +162,30 @@ struct QuarterContact {
 /// The bit of QuarterContact::ahead.
 constexpr unsigned bit_of(Meets meets) { return 1U << static_cast<unsigned>(meets); }
 
+/// How a part of the car and an obstacle stand before the move: apart or parting, touching and closing in, or corner to
+/// corner and bound to miss each other.
+enum class AtStart { apart, touches, slips_off };
+
 /// First contact while turning clockwise about (x, y) within a quarter, from the heading (c, s). What touches already and
 /// would move in is met at once; what touches and moves away, or along, is not met.
 inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double x, double y, const Problem& problem,
                                                double start_c, double start_s) {
+    constexpr double near = 1e-2;  // what touches has its root this near, even where the circle only just crosses
     QuarterContact first;
     const double start_order = start_s - start_c;
-    // `gap`: how far off the obstacle is at the start; `closing`: the gap shrinks from there on; `slips_off`: asked only
-    // of what touches, whether two corners meet there and part at once.
-    const auto consider = [&](double c, double s, double across, double gap, bool closing, auto slips_off,
-                              Meets meets) {
-        if (std::abs(gap) <= problem.touch && closing) {
-            if (slips_off()) return;
+    // `at_start` is asked only of what has its root near the start, whether it touches there and moves in.
+    const auto consider = [&](double c, double s, double across, Meets meets, auto at_start) {
+        double order = s - c;
+        if (order > start_order + near) return;
+        const AtStart found = order > start_order - near ? at_start() : AtStart::apart;
+        if (found == AtStart::slips_off) return;
+        if (found == AtStart::touches) {
             c = start_c;
             s = start_s;
+            order = start_order;
+        } else if (!(s >= 0.0 && c >= 0.0 && order <= start_order)) {
+            return;
         }
-        const double order = s - c;
-        if (!(s >= 0.0 && c >= 0.0 && order <= start_order)) return;
         first.ahead |= bit_of(meets);
         if (order > first.order) {
             first.c = c;
@@ -190,16 +203,15 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
         const double across = sign * std::sqrt(square);
         const double s = (across * corner.x - along * corner.y) * corner.per_square;
         const double c = (along * corner.x + across * corner.y) * corner.per_square;
-        const double start_x = corner.x * start_c - corner.y * start_s;
-        const double start_y = corner.x * start_s + corner.y * start_c;
-        const bool rising = start_x <= 0.0;
-        const bool closing = sign * start_y > 0.0;
-        const double gap = sign * (along - start_x);
         if (!(y + corner.x * s + corner.y * c <= 0.0)) return;
-        consider(
-            c, s, across, gap, closing, [&] { return y + start_y >= -problem.touch && rising; }, meets);
+        consider(c, s, across, meets, [&] {
+            const double start_x = corner.x * start_c - corner.y * start_s;
+            const double start_y = corner.x * start_s + corner.y * start_c;
+            if (std::abs(along - start_x) > problem.touch || sign * start_y <= 0.0) return AtStart::apart;
+            return y + start_y >= -problem.touch && start_x <= 0.0 ? AtStart::slips_off : AtStart::touches;
+        });
     };
-    // The lowest corner meets level ground.
+    // The lowest corner meets level ground: the curb, or a neighbour it comes down upon.
     const auto corner_meets_ground = [&](double ground, Meets meets) {
         const TurningCorner& corner = frame.lowest;
         const double across = ground - y;
@@ -208,62 +220,59 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
         const double along = std::sqrt(square);
         const double s = (across * corner.x - along * corner.y) * corner.per_square;
         const double c = (along * corner.x + across * corner.y) * corner.per_square;
-        const double gap = corner.x * start_s + corner.y * start_c - across;
-        const bool closing = corner.x * start_c - corner.y * start_s > 0.0;
-        const auto stays = [] { return false; };
-        if (meets == Meets::curb) {
-            consider(c, s, along, gap, closing, stays, meets);
-        } else {
-            const double where = x + corner.x * c - corner.y * s;
-            if (where > problem.touch) consider(c, s, along, gap, closing, stays, Meets::front_top);
-            if (where < -problem.length - problem.touch) consider(c, s, along, gap, closing, stays, Meets::rear_top);
-        }
+        const double where = x + corner.x * c - corner.y * s;
+        if (meets == Meets::front_top && !(where > problem.touch)) return;
+        if (meets == Meets::rear_top && !(where < -problem.length - problem.touch)) return;
+        consider(c, s, along, meets, [&] {
+            const double gap = corner.x * start_s + corner.y * start_c - across;
+            const bool sinks = corner.x * start_c - corner.y * start_s > 0.0;
+            return std::abs(gap) <= problem.touch && sinks ? AtStart::touches : AtStart::apart;
+        });
     };
 
     corner_meets_side(frame.rightmost, 0.0, 1.0, Meets::front_side);
     corner_meets_side(frame.leftmost, -problem.length, -1.0, Meets::rear_side);
     corner_meets_ground(-problem.width, Meets::curb);
-    if (y + frame.lowest.x * start_s + frame.lowest.y * start_c > -problem.touch)
+    if (y + frame.lowest.x * start_s + frame.lowest.y * start_c > -problem.touch) {
+        corner_meets_ground(0.0, Meets::front_top);
         corner_meets_ground(0.0, Meets::rear_top);
-
+    }
     {  // the slot's front corner meets the edge from the lowest to the rightmost corner
         const double gx = -x;
         const double gy = -y;
         const double square = gx * gx + gy * gy - frame.lowest.y * frame.lowest.y;
-        if (square >= 0.0) {
-            const double along = std::sqrt(square);
+        const double along = std::sqrt(std::max(square, 0.0));
+        if (square >= 0.0 && along <= frame.rightmost.x + problem.touch && along >= frame.lowest.x - problem.touch) {
             const double per_square = 1.0 / (gx * gx + gy * gy);
-            const double start_x = gx * start_c + gy * start_s;
-            const double start_y = gy * start_c - gx * start_s;
-            if (along <= frame.rightmost.x + problem.touch && along >= frame.lowest.x - problem.touch)
-                consider((gx * along + gy * frame.lowest.y) * per_square,
-                         (gy * along - gx * frame.lowest.y) * per_square, along, frame.lowest.y - start_y,
-                         start_x > 0.0,
-                         [&] {
-                             return (start_x >= frame.rightmost.x - problem.touch && start_y <= 0.0) ||
-                                    (start_x <= frame.lowest.x + problem.touch && start_y >= 0.0);
-                         },
-                         Meets::front_corner);
+            consider((gx * along + gy * frame.lowest.y) * per_square, (gy * along - gx * frame.lowest.y) * per_square,
+                     along, Meets::front_corner, [&] {
+                         const double start_x = gx * start_c + gy * start_s;
+                         const double start_y = gy * start_c - gx * start_s;
+                         if (std::abs(start_y - frame.lowest.y) > problem.touch || start_x <= 0.0)
+                             return AtStart::apart;
+                         const bool slips_off = (start_x >= frame.rightmost.x - problem.touch && start_y <= 0.0) ||
+                                                (start_x <= frame.lowest.x + problem.touch && start_y >= 0.0);
+                         return slips_off ? AtStart::slips_off : AtStart::touches;
+                     });
         }
     }
     {  // the slot's rear corner meets the edge from the lowest to the leftmost corner
         const double gx = -problem.length - x;
         const double gy = -y;
         const double square = gx * gx + gy * gy - frame.lowest.x * frame.lowest.x;
-        if (square >= 0.0) {
-            const double across = -std::sqrt(square);
+        const double across = -std::sqrt(std::max(square, 0.0));
+        if (square >= 0.0 && across <= frame.leftmost.y + problem.touch && across >= frame.lowest.y - problem.touch) {
             const double per_square = 1.0 / (gx * gx + gy * gy);
-            const double start_x = gx * start_c + gy * start_s;
-            const double start_y = gy * start_c - gx * start_s;
-            if (across <= frame.leftmost.y + problem.touch && across >= frame.lowest.y - problem.touch)
-                consider((gx * frame.lowest.x + gy * across) * per_square,
-                         (gy * frame.lowest.x - gx * across) * per_square, across, frame.lowest.x - start_x,
-                         start_y < 0.0,
-                         [&] {
-                             return (start_y >= frame.leftmost.y - problem.touch && start_x >= 0.0) ||
-                                    (start_y <= frame.lowest.y + problem.touch && start_x <= 0.0);
-                         },
-                         Meets::rear_corner);
+            consider((gx * frame.lowest.x + gy * across) * per_square, (gy * frame.lowest.x - gx * across) * per_square,
+                     across, Meets::rear_corner, [&] {
+                         const double start_x = gx * start_c + gy * start_s;
+                         const double start_y = gy * start_c - gx * start_s;
+                         if (std::abs(start_x - frame.lowest.x) > problem.touch || start_y >= 0.0)
+                             return AtStart::apart;
+                         const bool slips_off = (start_y >= frame.leftmost.y - problem.touch && start_x >= 0.0) ||
+                                                (start_y <= frame.lowest.y + problem.touch && start_x <= 0.0);
+                         return slips_off ? AtStart::slips_off : AtStart::touches;
+                     });
         }
     }
     return first;

@@ -66,7 +66,7 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
         if (random.chance(0.3)) options.min_range = random.between(0, 0.1);
         std::string line = command_line(asked);
         if (options.max_changes) line += " --max-changes " + std::to_string(*options.max_changes);
-        if (options.min_range > 0) line += " --min-range " + testing::PrintToString(options.min_range);
+        if (options.min_range > 0) line += " --min-range " + std::to_string(options.min_range);
         const auto start = std::chrono::steady_clock::now();
         const auto elapsed = [&] {
             return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

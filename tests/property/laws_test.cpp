@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <sstream>
 
 #include "oracle/follower.hpp"
 #include "sample.hpp"
@@ -9,6 +10,13 @@
 
 namespace oracle {
 namespace {
+
+std::string digits(double number) {
+    std::ostringstream out;
+    out.precision(17);
+    out << number;
+    return out.str();
+}
 
 snug::EntryOptions options_of(const Case& asked) {
     snug::EntryOptions options;
@@ -44,9 +52,9 @@ void expect_same_ranges(const std::vector<snug::HeadingRange>& a, const std::vec
             ++j;
         } else {
             const auto text = [](const std::vector<snug::HeadingRange>& r, std::size_t k) {
-                return k >= r.size() ? std::string("no range")
-                                     : testing::PrintToString(r[k].min) + ".." + testing::PrintToString(r[k].max) +
-                                           ": " + std::to_string(r[k].direction_changes);
+                return k >= r.size()
+                           ? std::string("no range")
+                           : digits(r[k].min) + ".." + digits(r[k].max) + ": " + std::to_string(r[k].direction_changes);
             };
             ADD_FAILURE() << where << "\n    " << text(a, i) << " against " << text(b, j);
             return;
@@ -224,8 +232,11 @@ TEST(Laws, OneRunOfTheStrategyIsWhatTheOracleDrives) {
         const auto exact =
             run(make_problem<long double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter),
                 static_cast<long double>(heading), options.max_changes, true);
-        const std::string where = command_line(asked) + " heading " + testing::PrintToString(heading) +
-                                  " max changes " + std::to_string(options.max_changes);
+        const std::string where =
+            command_line(asked) + " heading " + digits(heading) + " max changes " + std::to_string(options.max_changes);
+        // A last twitch of less than 1e-12 m before being stuck is rounding.
+        while (exact.outcome == snug::Outcome::stuck && !exact.legs.empty() && exact.legs.back().length < 1e-12L)
+            exact.legs.pop_back();
         bool close = exact.graze < 1e-11L;
         for (const auto& leg : exact.legs) close = close || std::abs(leg.drive.least_top) < 1e-11L;
         if (close) {
