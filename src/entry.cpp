@@ -14,34 +14,8 @@ namespace {
 
 using namespace detail;
 
-constexpr int most_changes = 200;           ///< where the search ends unless told otherwise
-constexpr double one_subrange = 1e-11;      ///< ranges this close touch [rad]
-constexpr double inward = 2e-13;            ///< edges are moved this far into their range, beyond any rounding [rad]
-constexpr double resolvable_range = 1e-12;  ///< narrower ranges are no more than rounding [rad]
-
-/// Neighbouring ranges without a gap: one stretch of headings that all park.
-struct Stretch {
-    std::size_t first = 0;
-    std::size_t last = 0;
-};
-
-/// Stretches of the ranges that need at most `changes`, at least `width` wide.
-template <class Visit>
-void for_each_stretch(const std::vector<CountedHeadings>& ranges, int changes, double width, Visit visit) {
-    std::size_t first = 0;
-    while (first < ranges.size()) {
-        if (ranges[first].changes > changes) {
-            ++first;
-            continue;
-        }
-        std::size_t last = first;
-        while (last + 1 < ranges.size() && ranges[last + 1].changes <= changes &&
-               ranges[last + 1].min - ranges[last].max <= one_subrange)
-            ++last;
-        if (ranges[last].max - ranges[first].min >= width) visit(Stretch{first, last});
-        first = last + 1;
-    }
-}
+constexpr int most_changes = 200;  ///< where the search ends unless told otherwise
+constexpr double inward = 2e-13;   ///< edges are moved this far into their range, beyond any rounding [rad]
 
 /// The smallest count for which some stretch of headings is wide enough; empty if there is none.
 std::optional<int> fewest_changes(const std::vector<CountedHeadings>& ranges, double width) {
@@ -50,9 +24,7 @@ std::optional<int> fewest_changes(const std::vector<CountedHeadings>& ranges, do
     std::sort(counts.begin(), counts.end());
     counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
     for (const int changes : counts) {
-        bool found = false;
-        for_each_stretch(ranges, changes, width, [&found](const Stretch&) { found = true; });
-        if (found) return changes;
+        if (!stretches(ranges, changes, width).empty()) return changes;
     }
     return std::nullopt;
 }
@@ -61,14 +33,14 @@ std::optional<int> fewest_changes(const std::vector<CountedHeadings>& ranges, do
 std::vector<HeadingRange> ranges_of(const std::vector<CountedHeadings>& found, int changes, double width) {
     std::vector<HeadingRange> ranges;
     int subrange = 0;
-    for_each_stretch(found, changes, width, [&](const Stretch& stretch) {
+    for (const Stretch& stretch : stretches(found, changes, width)) {
         for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
             const double edge = std::min(inward, (found[i].max - found[i].min) / 4.0);
             const double min = found[i].min > 0.0 ? found[i].min + edge : 0.0;
             ranges.push_back({min, found[i].max - edge, found[i].changes, subrange});
         }
         ++subrange;
-    });
+    }
     return ranges;
 }
 
@@ -86,14 +58,15 @@ EntryAnswer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions
     const FullSteering steering(entering_problem(car, slot, options.enter, options.clearance));
     const double width = std::max(options.min_range, resolvable_range);
     const int limit = options.max_changes.value_or(most_changes);
-    std::vector<CountedHeadings> found = heading_ranges(steering, limit, !options.max_changes);
+    std::vector<CountedHeadings> found =
+        heading_ranges(steering, limit, options.max_changes ? Find::all : Find::fewest);
     if (found.empty()) return answer;
     std::optional<int> fewest = fewest_changes(found, width);
     if (!options.max_changes) {  // nothing wide enough: allow more changes, a few at first
         int allowed = found.front().changes;
         for (int more = 1; !fewest && allowed < limit; more *= 2) {
             allowed = std::min(allowed + more, limit);
-            found = heading_ranges(steering, allowed, false);
+            found = heading_ranges(steering, allowed, Find::all);
             fewest = fewest_changes(found, width);
         }
     }

@@ -69,13 +69,13 @@ Sample negated(const Sample& sample) { return {-sample.value, -sample.slope}; }
 
 class Search {
 public:
-    Search(const FullSteering& steering, int max_changes, bool only_fewest)
-        : steering_(steering), limit_(max_changes), only_fewest_(only_fewest) {}
+    Search(const FullSteering& steering, int max_changes, Find find)
+        : steering_(steering), limit_(max_changes), find_(find) {}
 
     std::vector<CountedHeadings> run() {
         for (const Headings& headings : possible_headings(steering_.problem)) search(headings);
         std::vector<CountedHeadings> ranges = constant_ranges();
-        if (only_fewest_)
+        if (find_ == Find::fewest)
             std::erase_if(ranges, [this](const CountedHeadings& range) { return range.changes != limit_; });
         return ranges;
     }
@@ -102,7 +102,7 @@ private:
             grid.push_back(follow(headings.min + (headings.max - headings.min) * part, limit_));
             if (headings.max == headings.min) break;
         }
-        for (std::size_t i = 0; i + 1 < grid.size(); ++i) explore(grid[i], grid[i + 1]);
+        for (std::size_t i = 0; i + 1 < grid.size(); ++i) explore(grid[i], grid[i + 1], 0);
         emit(grid.back());
         leaves_.push_back({std::numeric_limits<double>::quiet_NaN(), never});  // ranges end here
     }
@@ -117,7 +117,8 @@ private:
             const FullMove& move = moves_.back();
             if (move.depth <= 0.0) {
                 run.changes = n;
-                if (only_fewest_) limit_ = std::min(limit_, n);
+                found_ = true;
+                if (find_ == Find::fewest) limit_ = std::min(limit_, n);
                 break;
             }
             if (ended(run)) break;
@@ -148,14 +149,20 @@ private:
     [[nodiscard]] static Sample tail_clears(const FullMove& move) { return {move.tail_clears, unknown_slope}; }
     [[nodiscard]] static Sample nose_clears(const FullMove& move) { return {move.nose_clears, unknown_slope}; }
 
-    void explore(const Run& left, const Run& right) {
+    /// Splits the interval until its ends tell all. Moves before `checked` are known to hide nothing in it.
+    void explore(const Run& left, const Run& right, std::size_t checked) {
         const double width = right.heading - left.heading;
+        if (find_ == Find::any && found_) {
+            emit(left);
+            emit(right);
+            return;
+        }
         if (width <= 4.0 * std::numeric_limits<double>::epsilon() * std::max(right.heading, 1e-3)) {
             emit(left);
             return;
         }
         const std::size_t moves = std::min(static_cast<std::size_t>(limit_) + 1, std::max(left.count, right.count));
-        for (std::size_t n = 0; n < moves; ++n) {
+        for (std::size_t n = checked; n < moves; ++n) {
             const FullMove& a = move(left, n);
             const FullMove& b = move(right, n);
             if (a.graze[0] * b.graze[0] < 0.0) return split_at_root(left, right, n, first_graze);
@@ -163,24 +170,24 @@ private:
             if (jump_between(a, b)) {
                 if (a.tail_clears * b.tail_clears < 0.0) return split_at_root(left, right, n, tail_clears);
                 if (a.nose_clears * b.nose_clears < 0.0) return split_at_root(left, right, n, nose_clears);
-                return split(left, right, 0.5);
+                return split(left, right, n, 0.5);
             }
             for (const auto graze : {first_graze, second_graze}) {
                 const Sample at_a = graze(a);
                 const Sample at_b = graze(b);
                 if ((at_a.value > 0.0 && at_b.value > 0.0 && !stays_positive(at_a, at_b, width)) ||
                     (at_a.value < 0.0 && at_b.value < 0.0 && !stays_positive(negated(at_a), negated(at_b), width)))
-                    return split_within(left, right, at_a, at_b);
+                    return split_within(left, right, n, at_a, at_b);
             }
             if ((a.depth <= 0.0) != (b.depth <= 0.0)) return split_at_root(left, right, n, depth);
             const bool parked = a.depth <= 0.0;
             const Sample at_a = parked ? negated(depth(a)) : depth(a);
             const Sample at_b = parked ? negated(depth(b)) : depth(b);
-            if (!stays_positive(at_a, at_b, width)) return split_within(left, right, at_a, at_b);
+            if (!stays_positive(at_a, at_b, width)) return split_within(left, right, n, at_a, at_b);
             if (parked) break;
             const double steepest = std::max(std::abs(a.depth_slope), std::abs(b.depth_slope));
             if (!(std::abs(a.depth - b.depth) <= 4.0 * steepest * width + 1e-12 * steering_.problem.length))
-                return split(left, right, 0.5);  // a jump nothing else told of
+                return split(left, right, n, 0.5);  // a jump nothing else told of
         }
         emit(left);
     }
@@ -196,20 +203,20 @@ private:
         return early.quarter == late.quarter && (same_obstacle(late, early.quarter) & early.ahead) == 0;
     }
 
-    void split(const Run& left, const Run& right, double part) {
+    void split(const Run& left, const Run& right, std::size_t checked, double part) {
         const std::size_t mark = moves_.size();
         const Run middle = follow(left.heading + (right.heading - left.heading) * part, limit_);
-        explore(left, middle);
-        explore(middle, right);
+        explore(left, middle, checked);
+        explore(middle, right, checked);
         moves_.resize(mark);
     }
 
     /// At the lowest point of a parabola with these slopes, or else nearer to the steeper end.
-    void split_within(const Run& left, const Run& right, const Sample& a, const Sample& b) {
+    void split_within(const Run& left, const Run& right, std::size_t checked, const Sample& a, const Sample& b) {
         double part = std::abs(a.slope) > std::abs(b.slope) ? 0.3 : 0.7;
         if (a.slope < 0.0 && b.slope > 0.0 && std::isfinite(a.slope) && std::isfinite(b.slope))
             part = std::clamp(a.slope / (a.slope - b.slope), 0.05, 0.95);
-        split(left, right, part);
+        split(left, right, checked, part);
     }
 
     /// Splits at the root of a quantity of move n, up to neighbouring doubles. Newton from the better end, stepping
@@ -239,7 +246,7 @@ private:
             const Sample value = quantity(move(run, n));
             moves_.resize(mark);
             if (std::isnan(value.value)) {  // another event in between: leave it to the recursion
-                return split(left, right, (next - left.heading) / (right.heading - left.heading));
+                return split(left, right, n, (next - left.heading) / (right.heading - left.heading));
             }
             if ((value.value > 0.0) == left_is_out) {
                 a = next;
@@ -251,9 +258,9 @@ private:
         }
         const Run before = follow(a, limit_);
         const Run after = follow(b, limit_);
-        explore(left, before);
+        explore(left, before, n);
         emit(before);
-        explore(after, right);
+        explore(after, right, n);
         moves_.resize(mark);
     }
 
@@ -291,7 +298,8 @@ private:
 
     const FullSteering& steering_;
     int limit_;  ///< counts above it do not interest
-    bool only_fewest_;
+    Find find_;
+    bool found_ = false;           ///< some heading parks
     std::vector<FullMove> moves_;  ///< of all runs in use, last in first out
     std::vector<Leaf> leaves_;     ///< ends of finished pieces, in rising order
 };
@@ -318,8 +326,24 @@ std::vector<Headings> possible_headings(const Problem& problem) {
     return possible;
 }
 
-std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, bool only_fewest) {
-    return Search(steering, max_changes, only_fewest).run();
+std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, Find find) {
+    return Search(steering, max_changes, find).run();
+}
+
+std::vector<Stretch> stretches(const std::vector<CountedHeadings>& ranges, int changes, double width) {
+    std::vector<Stretch> found;
+    std::size_t first = 0;
+    while (first < ranges.size()) {
+        std::size_t last = first;
+        if (ranges[first].changes <= changes) {
+            while (last + 1 < ranges.size() && ranges[last + 1].changes <= changes &&
+                   ranges[last + 1].min - ranges[last].max <= one_subrange)
+                ++last;
+            if (ranges[last].max - ranges[first].min >= width) found.push_back({first, last});
+        }
+        first = last + 1;
+    }
+    return found;
 }
 
 }  // namespace snug::detail

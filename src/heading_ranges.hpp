@@ -1,6 +1,7 @@
 // Which entry headings park with how many direction changes, exactly (Problems 1 and 2 for the paper's strategy).
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "full_steering.hpp"
@@ -24,7 +25,24 @@ struct CountedHeadings {
 /// can start: at most two ranges, because the rear end may hit the rear neighbour at middle headings only.
 std::vector<Headings> possible_headings(const Problem& problem);
 
-/// All ranges that need at most `max_changes`; with `only_fewest`, those with the smallest count there is.
-std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, bool only_fewest);
+/// What to look for among the headings that need at most `max_changes`.
+enum class Find { all, fewest, any };
+
+/// All ranges, or those with the smallest count there is, or one to show that there is any.
+std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, Find find);
+
+/// Ranges this close touch. [rad]
+inline constexpr double one_subrange = 1e-11;
+/// Narrower ranges are no more than rounding. [rad]
+inline constexpr double resolvable_range = 1e-12;
+
+/// Neighbouring ranges without a gap, from the first to the last: one stretch of headings that all park.
+struct Stretch {
+    std::size_t first = 0;
+    std::size_t last = 0;
+};
+
+/// The stretches of headings that need at most `changes` and are at least `width` wide [rad]. `ranges` is in rising order.
+std::vector<Stretch> stretches(const std::vector<CountedHeadings>& ranges, int changes, double width);
 
 }  // namespace snug::detail

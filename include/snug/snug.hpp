@@ -8,6 +8,7 @@
 #include "snug/geometry.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
+#include "snug/min_slot.hpp"
 #include "snug/slot.hpp"
 #include "snug/stepping.hpp"
 #include "snug/version.hpp"

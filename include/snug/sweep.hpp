@@ -1,0 +1,37 @@
+// Many slots at once, on all cores.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "snug/car.hpp"
+#include "snug/min_slot.hpp"
+
+namespace snug {
+
+struct SweepOptions {
+    int threads = 0;  ///< 0: all cores
+    /// Told the part done (0 to 1) from time to time, never from two threads at once; returning false gives up.
+    std::function<bool(double)> progress;
+};
+
+/// One point of a minimum slot curve; `slot` is empty where nothing within the limits will do.
+struct MinSlotRow {
+    int max_changes = 0;
+    double given = 0.0;  ///< the slot's width, or its length, that was asked for [m]
+    std::optional<MinSlot> slot;
+};
+
+/// min_length() for every width and every maximum of direction changes, row by row as given: counts outside, widths
+/// inside. `options.max_changes` is not looked at. Empty when the progress callback gave up.
+std::vector<MinSlotRow> min_lengths(const Car& car, const std::vector<double>& widths,
+                                    const std::vector<int>& max_changes, const MinSlotOptions& options = {},
+                                    const SweepOptions& sweep = {});
+
+/// min_width() for every length, likewise.
+std::vector<MinSlotRow> min_widths(const Car& car, const std::vector<double>& lengths,
+                                   const std::vector<int>& max_changes, const MinSlotOptions& options = {},
+                                   const SweepOptions& sweep = {});
+
+}  // namespace snug
