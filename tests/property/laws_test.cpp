@@ -229,7 +229,7 @@ TEST(Laws, OneRunOfTheStrategyIsWhatTheOracleDrives) {
         options.enter = asked.enter;
         options.max_changes = random.below(25);
         const snug::MaxSteerRun got = snug::max_steer(snug::Car(asked.car), snug::Slot(asked.slot), heading, options);
-        const auto exact =
+        auto exact =
             run(make_problem<long double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter),
                 static_cast<long double>(heading), options.max_changes, true);
         const std::string where =
