@@ -166,18 +166,20 @@ constexpr unsigned bit_of(Meets meets) { return 1U << static_cast<unsigned>(meet
 /// corner and bound to miss each other.
 enum class AtStart { apart, touches, slips_off };
 
+/// What touches has its root this near in order(), even where the circle only just crosses.
+constexpr double near_start = 1e-2;
+
 /// First contact while turning clockwise about (x, y) within a quarter, from the heading (c, s). What touches already and
 /// would move in is met at once; what touches and moves away, or along, is not met.
 inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double x, double y, const Problem& problem,
                                                double start_c, double start_s) {
-    constexpr double near = 1e-2;  // what touches has its root this near, even where the circle only just crosses
     QuarterContact first;
     const double start_order = start_s - start_c;
     // `at_start` is asked only of what has its root near the start, whether it touches there and moves in.
     const auto consider = [&](double c, double s, double across, Meets meets, auto at_start) {
         double order = s - c;
-        if (order > start_order + near) return;
-        const AtStart found = order > start_order - near ? at_start() : AtStart::apart;
+        if (order > start_order + near_start) return;
+        const AtStart found = order > start_order - near_start ? at_start() : AtStart::apart;
         if (found == AtStart::slips_off) return;
         if (found == AtStart::touches) {
             c = start_c;

@@ -1,0 +1,129 @@
+#include "snug/batch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "cases.hpp"
+#include "check.hpp"
+#include "entering.hpp"
+
+namespace snug {
+
+namespace detail {
+
+namespace {
+
+bool lies_in(const std::vector<Headings>& ranges, double heading) {
+    return std::any_of(ranges.begin(), ranges.end(),
+                       [heading](const Headings& range) { return range.min <= heading && heading <= range.max; });
+}
+
+/// By how much the frame clears what it could overlap at the entry position, and its corner the front side on the first
+/// move: possible_headings() without its inverse functions, so exact but for rounding. [m]
+double entry_clears(const Problem& problem, double heading) {
+    const Extents& car = problem.touching;
+    const double length = car.front + car.rear;
+    const double width = car.left + car.right;
+    const double c = std::cos(heading);
+    const double s = std::sin(heading);
+    const double front_and_curb =
+        std::min((problem.radius + car.right) * c - car.front * s, problem.width - length * s);
+    const double tail_below = width * c - length * s;  // the entry side
+    const double rear =
+        std::max(std::min(problem.length - length / c, tail_below),
+                 std::min(problem.length - length * c - width * s, -tail_below));
+    return std::min({front_and_curb, rear, problem.length - length});
+}
+
+}  // namespace
+
+int direction_changes_alone(const FullSteering& steering, double heading, int max_changes) {
+    FullSteeringRun run(steering, heading);
+    for (int changes = 0; changes <= max_changes; ++changes) {
+        const FullMove move = run.drive<false>();
+        if (move.stuck) return -1;
+        if (move.depth <= 0.0) return changes;
+        if (move.meets == Meets::nothing) return -1;
+    }
+    return -1;
+}
+
+Cases::Cases(FullSteering& steering, const std::vector<double>& headings, const std::vector<Slot>* slots,
+             int max_changes)
+    : steering_(steering), headings_(headings), slots_(slots), max_changes_(max_changes), changes_(headings.size()) {
+    if (slots == nullptr) possible_ = possible_headings(steering.problem);
+}
+
+std::size_t Cases::next() {
+    for (; next_ < headings_.size(); ++next_) {
+        enter_slot(next_);
+        if (is_entry(headings_[next_])) return next_++;
+        answer(next_, -1);
+    }
+    return none;
+}
+
+void Cases::answer_alone(std::size_t index) {
+    enter_slot(index);
+    answer(index, direction_changes_alone(steering_, headings_[index], max_changes_));
+}
+
+void Cases::enter_slot(std::size_t index) {
+    if (slots_ == nullptr) return;
+    steering_.problem.length = (*slots_)[index].length();
+    steering_.problem.width = (*slots_)[index].width();
+}
+
+bool Cases::is_entry(double heading) const {
+    if (slots_ == nullptr) return lies_in(possible_, heading);
+    const Problem& problem = steering_.problem;
+    const double clears = entry_clears(problem, heading);
+    const double close = 1e-9 * (problem.length + problem.touching.front + problem.touching.rear + problem.radius);
+    if (std::abs(clears) > close) return clears > 0.0;
+    return lies_in(possible_headings(problem), heading);
+}
+
+}  // namespace detail
+
+namespace {
+
+using namespace detail;
+
+void check_headings(const std::vector<double>& headings) {
+    for (std::size_t i = 0; i < headings.size(); ++i) {
+        if (!(headings[i] >= 0.0 && headings[i] <= 1.5707963267948966)) {
+            check_between("entry heading [" + std::to_string(i) + "]", headings[i], 0.0, 1.5707963267948966, " rad");
+        }
+    }
+}
+
+std::vector<int> drive_all(const Car& car, const Slot& first, const std::vector<Slot>* slots,
+                           const std::vector<double>& headings, const MaxSteerOptions& options) {
+    FullSteering steering(entering_problem(car, first, options.enter, options.clearance));
+    Cases cases(steering, headings, slots, options.max_changes);
+    detail::drive_all(cases);
+    return std::move(cases.answers());
+}
+
+}  // namespace
+
+std::vector<int> direction_changes(const Car& car, const Slot& slot, const std::vector<double>& headings,
+                                   const MaxSteerOptions& options) {
+    check(options);
+    check_headings(headings);
+    return drive_all(car, slot, nullptr, headings, options);
+}
+
+std::vector<int> direction_changes(const Car& car, const std::vector<Slot>& slots, const std::vector<double>& headings,
+                                   const MaxSteerOptions& options) {
+    check(options);
+    if (slots.size() != headings.size())
+        throw Error("there are " + std::to_string(slots.size()) + " slots and " + std::to_string(headings.size()) +
+                    " headings, but there must be as many headings as slots");
+    check_headings(headings);
+    if (slots.empty()) return {};
+    return drive_all(car, slots.front(), &slots, headings, options);
+}
+
+}  // namespace snug

@@ -1,0 +1,54 @@
+// Independent runs of the paper's strategy with one car: where each begins, and what came out.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "full_steering.hpp"
+#include "heading_ranges.hpp"
+#include "snug/slot.hpp"
+
+namespace snug::detail {
+
+/// Direction changes after which the strategy parks, -1 if it does not; the heading must be possible.
+int direction_changes_alone(const FullSteering& steering, double heading, int max_changes);
+
+/// Hands out cases one after the other and takes their answers.
+class Cases {
+public:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    /// With `slots`, case i is headings[i] into slots[i]; otherwise all enter the slot of `steering`.
+    Cases(FullSteering& steering, const std::vector<double>& headings, const std::vector<Slot>* slots, int max_changes);
+
+    [[nodiscard]] const FullSteering& steering() const { return steering_; }
+    [[nodiscard]] int max_changes() const { return max_changes_; }
+
+    /// The next case at a possible entry position, or none; those before it that are not are answered. Afterwards the
+    /// slot of steering() is the slot of that case.
+    std::size_t next();
+    [[nodiscard]] double heading(std::size_t index) const { return headings_[index]; }
+
+    void answer(std::size_t index, int changes) { changes_[index] = changes; }
+    /// Drives a case by itself.
+    void answer_alone(std::size_t index);
+
+    [[nodiscard]] std::vector<int>& answers() { return changes_; }
+
+private:
+    void enter_slot(std::size_t index);
+    [[nodiscard]] bool is_entry(double heading) const;
+
+    FullSteering& steering_;
+    const std::vector<double>& headings_;
+    const std::vector<Slot>* slots_;
+    int max_changes_;
+    std::vector<Headings> possible_;  ///< for the one slot
+    std::size_t next_ = 0;
+    std::vector<int> changes_;
+};
+
+/// Drives all cases, in vectors.
+void drive_all(Cases& cases);
+
+}  // namespace snug::detail
