@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "check.hpp"
 #include "entering.hpp"
@@ -79,11 +80,24 @@ EntryAnswer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions
     return answer;
 }
 
+EntryAnswer trials_answer(std::optional<Maneuver> maneuver) {
+    EntryAnswer answer;
+    answer.parkable = maneuver.has_value();
+    if (maneuver) answer.direction_changes = maneuver->direction_changes();
+    answer.maneuver = std::move(maneuver);
+    return answer;
+}
+
 }  // namespace
 
 EntryAnswer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
-    check(MaxSteerOptions{options.max_changes.value_or(most_changes), options.clearance, options.enter});
+    const MaxSteerOptions drive{options.max_changes.value_or(most_changes), options.clearance, options.enter};
+    check(drive);
     check_between("smallest range", options.min_range, 0.0, 1.5707963267948966, " rad");
+    if (const auto* trials = std::get_if<ReversedTrials>(&options.strategy))
+        return trials_answer(reversed_trials(car, slot, *trials, drive));
+    if (const auto* trials = std::get_if<ParallelTrials>(&options.strategy))
+        return trials_answer(parallel_trials(car, slot, *trials, drive));
     const Shortfall lacks = shortfall(car, slot, options.clearance);
     if (lacks.length > 0.0 || lacks.width > 0.0) return {};
     if (const auto* steps = std::get_if<Stepping>(&options.strategy)) {

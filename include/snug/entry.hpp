@@ -11,14 +11,15 @@
 #include "snug/max_steer.hpp"
 #include "snug/slot.hpp"
 #include "snug/stepping.hpp"
+#include "snug/trials.hpp"
 
 namespace snug {
 
 /// Full steering until contact, exactly.
 struct MaxSteer {};
 
-/// How the car is driven between entry and goal.
-using Strategy = std::variant<MaxSteer, Stepping>;
+/// How the car is driven between entry and goal. Trials start from a goal: they answer with a maneuver and no ranges.
+using Strategy = std::variant<MaxSteer, Stepping, ReversedTrials, ParallelTrials>;
 
 /// A maximal range of entry headings that park with the same number of direction changes. Both ends belong to it.
 struct HeadingRange {

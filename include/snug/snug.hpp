@@ -12,4 +12,5 @@
 #include "snug/min_slot.hpp"
 #include "snug/slot.hpp"
 #include "snug/stepping.hpp"
+#include "snug/trials.hpp"
 #include "snug/version.hpp"
