@@ -1,6 +1,7 @@
 #include "snug/contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -18,6 +19,7 @@ constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double touching_part = 1e-9;      ///< of the car's length: closer is touching, deeper is overlapping
 constexpr double straight_bend = 1e-9;      ///< curvature below which a move starts as a straight line [1/m]
 constexpr std::size_t quarters_around = 5;  ///< a full circle touches that many quarter turns
+constexpr double full_circle_slack = 1e-9;  ///< how much of one is left when what touched at the start touches again
 
 /// One move in a frame where the car turns clockwise or drives straight: the slot frame or its mirror image in x.
 struct PlainMove {
@@ -113,7 +115,7 @@ Meeting first_met_turning(const PlainMove& move, const TurningFrame& frames, dou
     for (std::size_t i = 0; i < quarters_around; ++i) {
         const QuarterContact contact =
             first_contact_in_quarter(frame_of(frames, now.quarter), centre_x, centre_y, move.problem, now.c, now.s);
-        const bool full_circle = i + 1 == quarters_around && contact.order < start.order() + 1e-9;
+        const bool full_circle = i + 1 == quarters_around && contact.order < start.order() + full_circle_slack;
         if (contact.meets != Meets::nothing && !full_circle) {
             const double turned = (now.quarter - start.quarter) * quarter_turn + std::atan2(start.s, start.c) -
                                   std::atan2(contact.s, contact.c);
@@ -183,34 +185,37 @@ double refined(const PlainMove& move, const TurningFrame& frames, const Meeting&
     return distance;
 }
 
+/// Lowest point of the frame to the right of an upright line (sign 1) or to its left (sign -1); infinity if there is none.
+double lowest_beyond(const std::array<Point, 4>& corners, double line, double sign) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point& from = corners[i];
+        const Point& to = corners[(i + 1) % corners.size()];
+        const double before = sign * (from.x - line);
+        const double after = sign * (to.x - line);
+        if (before > 0.0) lowest = std::min(lowest, from.y);
+        if ((before > 0.0) != (after > 0.0))
+            lowest = std::min(lowest, from.y + (to.y - from.y) * (before / (before - after)));
+    }
+    return lowest;
+}
+
 /// What a pose that overlaps already is in contact with.
 std::optional<Meeting> overlapped(const PlainMove& move, const TurningFrame& frames) {
     const QuarterHeading now = in_quarters(move.start.heading);
     const QuarterFrame& frame = frame_of(frames, now.quarter);
     const Problem& problem = move.problem;
-    const auto corner = [&](const TurningCorner& of) {
-        return Point{move.start.x + of.x * now.c - of.y * now.s, move.start.y + of.x * now.s + of.y * now.c};
+    const auto at = [&](double x, double y) {
+        return Point{move.start.x + x * now.c - y * now.s, move.start.y + x * now.s + y * now.c};
     };
-    const Point low = corner(frame.lowest);
-    const Point right = corner(frame.rightmost);
-    const Point left = corner(frame.leftmost);
-    const auto covers = [&](double x) {
-        const double gx = x - move.start.x;
-        const double gy = -move.start.y;
-        const double along = gx * now.c + gy * now.s;
-        const double across = gy * now.c - gx * now.s;
-        return along > frame.lowest.x + problem.touch && along < frame.rightmost.x - problem.touch &&
-               across > frame.lowest.y + problem.touch && across < frame.leftmost.y - problem.touch;
-    };
-    const auto in_front = [&](const Point& at) { return at.x > problem.touch && at.y < -problem.touch; };
-    const auto behind = [&](const Point& at) {
-        return at.x < -problem.length - problem.touch && at.y < -problem.touch;
-    };
-    if (low.y < -problem.width - problem.touch) return Meeting{0.0, Meets::curb, now.quarter};
-    if (in_front(right) || in_front(low)) return Meeting{0.0, Meets::front_side, now.quarter};
-    if (behind(left) || behind(low)) return Meeting{0.0, Meets::rear_side, now.quarter};
-    if (covers(0.0)) return Meeting{0.0, Meets::front_corner, now.quarter};
-    if (covers(-problem.length)) return Meeting{0.0, Meets::rear_corner, now.quarter};
+    const std::array<Point, 4> corners = {at(frame.lowest.x, frame.lowest.y), at(frame.rightmost.x, frame.rightmost.y),
+                                          at(frame.rightmost.x, frame.leftmost.y),
+                                          at(frame.leftmost.x, frame.leftmost.y)};
+    if (corners[0].y < -problem.width - problem.touch) return Meeting{0.0, Meets::curb, now.quarter};
+    if (lowest_beyond(corners, problem.touch, 1.0) < -problem.touch)
+        return Meeting{0.0, corners[1].y < 0.0 ? Meets::front_side : Meets::front_corner, now.quarter};
+    if (lowest_beyond(corners, -problem.length - problem.touch, -1.0) < -problem.touch)
+        return Meeting{0.0, corners[3].y < 0.0 ? Meets::rear_side : Meets::rear_corner, now.quarter};
     return std::nullopt;
 }
 
@@ -286,7 +291,9 @@ FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, D
                            double steering_angle, double clearance) {
     check_between("steering angle", steering_angle, -car.max_steer(), car.max_steer(), " rad");
     check_between("clearance", clearance, 0.0, 1e6, " m");
-    check_between("pose", std::max({std::abs(pose.x), std::abs(pose.y), std::abs(pose.heading)}), 0.0, 1e9, "");
+    check_between("pose x", pose.x, -1e9, 1e9, " m");
+    check_between("pose y", pose.y, -1e9, 1e9, " m");
+    check_between("pose heading", pose.heading, -1e9, 1e9, " rad");
 
     PlainMove move;
     move.start = slot.to_slot(pose);

@@ -45,7 +45,7 @@ Problem entering_problem(const Car& car, const Slot& slot, Enter enter, double c
     problem.radius = car.turning_radius();
     problem.length = slot.length();
     problem.width = slot.width();
-    problem.touch = 1e-13 * (car.length() + car.turning_radius());
+    problem.touch = 1e-13 * (car.length() + car.width() + clearance + car.turning_radius());
     return problem;
 }
 

@@ -58,20 +58,27 @@ EntryAnswer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions
     EntryAnswer answer;
     const FullSteering steering(entering_problem(car, slot, options.enter, options.clearance));
     const double width = std::max(options.min_range, resolvable_range);
+    Progress progress;
+    if (options.progress) {
+        progress = [&](double part) {
+            answer.cancelled = answer.cancelled || !options.progress(part);
+            return !answer.cancelled;
+        };
+    }
     const int limit = options.max_changes.value_or(most_changes);
     std::vector<CountedHeadings> found =
-        heading_ranges(steering, limit, options.max_changes ? Find::all : Find::fewest);
+        heading_ranges(steering, limit, options.max_changes ? Find::all : Find::fewest, progress);
     if (found.empty()) return answer;
     std::optional<int> fewest = fewest_changes(found, width);
     if (!options.max_changes) {  // nothing wide enough: allow more changes, a few at first
         int allowed = found.front().changes;
-        for (int more = 1; !fewest && allowed < limit; more *= 2) {
+        for (int more = 1; !fewest && allowed < limit && !answer.cancelled; more *= 2) {
             allowed = std::min(allowed + more, limit);
-            found = heading_ranges(steering, allowed, Find::all);
+            found = heading_ranges(steering, allowed, Find::all, progress);
             fewest = fewest_changes(found, width);
         }
     }
-    if (!fewest) return answer;
+    if (!fewest || answer.cancelled) return answer;
     answer.parkable = true;
     answer.direction_changes = fewest;
     answer.ranges = ranges_of(found, options.max_changes ? limit : *fewest, width);

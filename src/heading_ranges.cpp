@@ -22,6 +22,7 @@ namespace {
 
 constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double unknown_slope = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t most_moves = 300'000'000;
 constexpr int never = std::numeric_limits<int>::max();
 
 /// What `move` met, and what else it may come to meet in a quarter turn without a jump: the car rolls from an edge onto
@@ -69,11 +70,12 @@ Sample negated(const Sample& sample) { return {-sample.value, -sample.slope}; }
 
 class Search {
 public:
-    Search(const FullSteering& steering, int max_changes, Find find)
-        : steering_(steering), limit_(max_changes), find_(find) {}
+    Search(const FullSteering& steering, int max_changes, Find find, const Progress& progress)
+        : steering_(steering), limit_(max_changes), find_(find), progress_(progress) {}
 
     std::vector<CountedHeadings> run() {
         for (const Headings& headings : possible_headings(steering_.problem)) search(headings);
+        if (given_up_) return {};
         std::vector<CountedHeadings> ranges = constant_ranges();
         if (find_ == Find::fewest)
             std::erase_if(ranges, [this](const CountedHeadings& range) { return range.changes != limit_; });
@@ -124,7 +126,17 @@ private:
             if (ended(run)) break;
         }
         run.count = moves_.size() - run.first;
+        moves_driven_ += run.count;
         return run;
+    }
+
+    /// Is there no need, or no use, to look any closer?
+    bool done(const Run& at) {
+        if (progress_ && moves_driven_ >= next_report_) {
+            next_report_ = moves_driven_ + 1'000'000;
+            if (!progress_(at.heading / quarter_turn)) given_up_ = true;
+        }
+        return given_up_ || (find_ == Find::any && found_) || moves_driven_ > most_moves;
     }
 
     /// Nothing new can come: the car circles freely, or is stuck both ways.
@@ -152,7 +164,7 @@ private:
     /// Splits the interval until its ends tell all. Moves before `checked` are known to hide nothing in it.
     void explore(const Run& left, const Run& right, std::size_t checked) {
         const double width = right.heading - left.heading;
-        if (find_ == Find::any && found_) {
+        if (done(left)) {
             emit(left);
             emit(right);
             return;
@@ -275,6 +287,7 @@ private:
             if (ended(run)) break;
         }
         run.count = moves_.size() - run.first;
+        moves_driven_ += run.count;
         return run;
     }
 
@@ -299,7 +312,11 @@ private:
     const FullSteering& steering_;
     int limit_;  ///< counts above it do not interest
     Find find_;
-    bool found_ = false;           ///< some heading parks
+    const Progress& progress_;
+    bool found_ = false;     ///< some heading parks
+    bool given_up_ = false;  ///< as the progress callback said
+    std::size_t moves_driven_ = 0;
+    std::size_t next_report_ = 1'000'000;
     std::vector<FullMove> moves_;  ///< of all runs in use, last in first out
     std::vector<Leaf> leaves_;     ///< ends of finished pieces, in rising order
 };
@@ -326,8 +343,9 @@ std::vector<Headings> possible_headings(const Problem& problem) {
     return possible;
 }
 
-std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, Find find) {
-    return Search(steering, max_changes, find).run();
+std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, Find find,
+                                            const Progress& progress) {
+    return Search(steering, max_changes, find, progress).run();
 }
 
 std::vector<Stretch> stretches(const std::vector<CountedHeadings>& ranges, int changes, double width) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "full_steering.hpp"
@@ -28,8 +29,16 @@ std::vector<Headings> possible_headings(const Problem& problem);
 /// What to look for among the headings that need at most `max_changes`.
 enum class Find { all, fewest, any };
 
-/// All ranges, or those with the smallest count there is, or one to show that there is any.
-std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, Find find);
+/// Told the part done from time to time; returning false gives up.
+using Progress = std::function<bool(double)>;
+
+/// All ranges, or those with the smallest count there is, or one to show that there is any. Empty when given up.
+///
+/// A car and a slot whose dimensions differ by many orders of magnitude can be beyond the resolution of doubles, and
+/// rounding then makes pieces without end; so the search stops splitting after 300 million moves, a hundred times what
+/// any car needs that can be built.
+std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, Find find,
+                                            const Progress& progress = {});
 
 /// Ranges this close touch. [rad]
 inline constexpr double one_subrange = 1e-11;
