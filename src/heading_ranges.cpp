@@ -104,7 +104,7 @@ private:
             grid.push_back(follow(headings.min + (headings.max - headings.min) * part, limit_));
             if (headings.max == headings.min) break;
         }
-        for (std::size_t i = 0; i + 1 < grid.size(); ++i) explore(grid[i], grid[i + 1], 0);
+        for (std::size_t i = 0; i + 1 < grid.size(); ++i) explore(grid[i], grid[i + 1]);
         emit(grid.back());
         leaves_.push_back({std::numeric_limits<double>::quiet_NaN(), never});  // ranges end here
     }
@@ -161,8 +161,8 @@ private:
     [[nodiscard]] static Sample tail_clears(const FullMove& move) { return {move.tail_clears, unknown_slope}; }
     [[nodiscard]] static Sample nose_clears(const FullMove& move) { return {move.nose_clears, unknown_slope}; }
 
-    /// Splits the interval until its ends tell all. Moves before `checked` are known to hide nothing in it.
-    void explore(const Run& left, const Run& right, std::size_t checked) {
+    /// Splits the interval until its ends tell all.
+    void explore(const Run& left, const Run& right) {
         const double width = right.heading - left.heading;
         if (done(left)) {
             emit(left);
@@ -174,7 +174,7 @@ private:
             return;
         }
         const std::size_t moves = std::min(static_cast<std::size_t>(limit_) + 1, std::max(left.count, right.count));
-        for (std::size_t n = checked; n < moves; ++n) {
+        for (std::size_t n = 0; n < moves; ++n) {
             const FullMove& a = move(left, n);
             const FullMove& b = move(right, n);
             if (a.graze[0] * b.graze[0] < 0.0) return split_at_root(left, right, n, first_graze);
@@ -182,24 +182,24 @@ private:
             if (jump_between(a, b)) {
                 if (a.tail_clears * b.tail_clears < 0.0) return split_at_root(left, right, n, tail_clears);
                 if (a.nose_clears * b.nose_clears < 0.0) return split_at_root(left, right, n, nose_clears);
-                return split(left, right, n, 0.5);
+                return split(left, right, 0.5);
             }
             for (const auto graze : {first_graze, second_graze}) {
                 const Sample at_a = graze(a);
                 const Sample at_b = graze(b);
                 if ((at_a.value > 0.0 && at_b.value > 0.0 && !stays_positive(at_a, at_b, width)) ||
                     (at_a.value < 0.0 && at_b.value < 0.0 && !stays_positive(negated(at_a), negated(at_b), width)))
-                    return split_within(left, right, n, at_a, at_b);
+                    return split_within(left, right, at_a, at_b);
             }
             if ((a.depth <= 0.0) != (b.depth <= 0.0)) return split_at_root(left, right, n, depth);
             const bool parked = a.depth <= 0.0;
             const Sample at_a = parked ? negated(depth(a)) : depth(a);
             const Sample at_b = parked ? negated(depth(b)) : depth(b);
-            if (!stays_positive(at_a, at_b, width)) return split_within(left, right, n, at_a, at_b);
+            if (!stays_positive(at_a, at_b, width)) return split_within(left, right, at_a, at_b);
             if (parked) break;
             const double steepest = std::max(std::abs(a.depth_slope), std::abs(b.depth_slope));
             if (!(std::abs(a.depth - b.depth) <= 4.0 * steepest * width + 1e-12 * steering_.problem.length))
-                return split(left, right, n, 0.5);  // a jump nothing else told of
+                return split(left, right, 0.5);  // a jump nothing else told of
         }
         emit(left);
     }
@@ -215,20 +215,20 @@ private:
         return early.quarter == late.quarter && (same_obstacle(late, early.quarter) & early.ahead) == 0;
     }
 
-    void split(const Run& left, const Run& right, std::size_t checked, double part) {
+    void split(const Run& left, const Run& right, double part) {
         const std::size_t mark = moves_.size();
         const Run middle = follow(left.heading + (right.heading - left.heading) * part, limit_);
-        explore(left, middle, checked);
-        explore(middle, right, checked);
+        explore(left, middle);
+        explore(middle, right);
         moves_.resize(mark);
     }
 
     /// At the lowest point of a parabola with these slopes, or else nearer to the steeper end.
-    void split_within(const Run& left, const Run& right, std::size_t checked, const Sample& a, const Sample& b) {
+    void split_within(const Run& left, const Run& right, const Sample& a, const Sample& b) {
         double part = std::abs(a.slope) > std::abs(b.slope) ? 0.3 : 0.7;
         if (a.slope < 0.0 && b.slope > 0.0 && std::isfinite(a.slope) && std::isfinite(b.slope))
             part = std::clamp(a.slope / (a.slope - b.slope), 0.05, 0.95);
-        split(left, right, checked, part);
+        split(left, right, part);
     }
 
     /// Splits at the root of a quantity of move n, up to neighbouring doubles. Newton from the better end, stepping
@@ -258,7 +258,7 @@ private:
             const Sample value = quantity(move(run, n));
             moves_.resize(mark);
             if (std::isnan(value.value)) {  // another event in between: leave it to the recursion
-                return split(left, right, n, (next - left.heading) / (right.heading - left.heading));
+                return split(left, right, (next - left.heading) / (right.heading - left.heading));
             }
             if ((value.value > 0.0) == left_is_out) {
                 a = next;
@@ -270,9 +270,9 @@ private:
         }
         const Run before = follow(a, limit_);
         const Run after = follow(b, limit_);
-        explore(left, before, n);
+        explore(left, before);
         emit(before);
-        explore(after, right, n);
+        explore(after, right);
         moves_.resize(mark);
     }
 
