@@ -21,18 +21,15 @@ bool lies_in(const std::vector<Headings>& ranges, double heading) {
 
 /// By how much the frame clears what it could overlap at the entry position, and its corner the front side on the first
 /// move: possible_headings() without its inverse functions, so exact but for rounding. [m]
-double entry_clears(const Problem& problem, double heading) {
+double entry_clears(const Problem& problem, double c, double s) {
     const Extents& car = problem.touching;
     const double length = car.front + car.rear;
     const double width = car.left + car.right;
-    const double c = std::cos(heading);
-    const double s = std::sin(heading);
     const double front_and_curb =
         std::min((problem.radius + car.right) * c - car.front * s, problem.width - length * s);
     const double tail_below = width * c - length * s;  // the entry side
-    const double rear =
-        std::max(std::min(problem.length - length / c, tail_below),
-                 std::min(problem.length - length * c - width * s, -tail_below));
+    const double rear = std::max(std::min(problem.length * c - length, tail_below),
+                                 std::min(problem.length - length * c - width * s, -tail_below));
     return std::min({front_and_curb, rear, problem.length - length});
 }
 
@@ -55,13 +52,15 @@ Cases::Cases(FullSteering& steering, const std::vector<double>& headings, const 
     if (slots == nullptr) possible_ = possible_headings(steering.problem);
 }
 
-std::size_t Cases::next() {
+std::optional<Cases::Start> Cases::next() {
     for (; next_ < headings_.size(); ++next_) {
         enter_slot(next_);
-        if (is_entry(headings_[next_])) return next_++;
+        const FullSteeringRun run(steering_, headings_[next_]);
+        if (is_entry(headings_[next_], run.heading()))
+            return Start{next_++, run, steering_.problem.length, steering_.problem.width};
         answer(next_, -1);
     }
-    return none;
+    return std::nullopt;
 }
 
 void Cases::answer_alone(std::size_t index) {
@@ -75,10 +74,10 @@ void Cases::enter_slot(std::size_t index) {
     steering_.problem.width = (*slots_)[index].width();
 }
 
-bool Cases::is_entry(double heading) const {
+bool Cases::is_entry(double heading, const QuarterHeading& direction) const {
     if (slots_ == nullptr) return lies_in(possible_, heading);
     const Problem& problem = steering_.problem;
-    const double clears = entry_clears(problem, heading);
+    const double clears = entry_clears(problem, direction.c, direction.s);
     const double close = 1e-9 * (problem.length + problem.touching.front + problem.touching.rear + problem.radius);
     if (std::abs(clears) > close) return clears > 0.0;
     return lies_in(possible_headings(problem), heading);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "full_steering.hpp"
@@ -16,7 +17,13 @@ int direction_changes_alone(const FullSteering& steering, double heading, int ma
 /// Hands out cases one after the other and takes their answers.
 class Cases {
 public:
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    /// A case at its entry position.
+    struct Start {
+        std::size_t index;
+        FullSteeringRun run;
+        double length;  ///< of its slot [m]
+        double width;   ///< of its slot [m]
+    };
 
     /// With `slots`, case i is headings[i] into slots[i]; otherwise all enter the slot of `steering`.
     Cases(FullSteering& steering, const std::vector<double>& headings, const std::vector<Slot>* slots, int max_changes);
@@ -24,10 +31,8 @@ public:
     [[nodiscard]] const FullSteering& steering() const { return steering_; }
     [[nodiscard]] int max_changes() const { return max_changes_; }
 
-    /// The next case at a possible entry position, or none; those before it that are not are answered. Afterwards the
-    /// slot of steering() is the slot of that case.
-    std::size_t next();
-    [[nodiscard]] double heading(std::size_t index) const { return headings_[index]; }
+    /// The next case at a possible entry position, if there is one; those before it that are not are answered.
+    std::optional<Start> next();
 
     void answer(std::size_t index, int changes) { changes_[index] = changes; }
     /// Drives a case by itself.
@@ -37,7 +42,7 @@ public:
 
 private:
     void enter_slot(std::size_t index);
-    [[nodiscard]] bool is_entry(double heading) const;
+    [[nodiscard]] bool is_entry(double heading, const QuarterHeading& direction) const;
 
     FullSteering& steering_;
     const std::vector<double>& headings_;

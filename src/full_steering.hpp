@@ -78,7 +78,7 @@ public:
             contact = first_contact_in_quarter(frame, x_, y_, steering_->problem, now.c, now.s);
             // A full circle ends where it began, whatever rounding makes of touching there.
             if (quarters == 4 && contact.order < heading_.order() + 1e-4) contact.meets = Meets::nothing;
-            note_graze(frame, now, contact, move);
+            if constexpr (Slope) note_graze(frame, now, contact, move);
             if (contact.meets != Meets::nothing) break;
             if (y_ + frame.top.y < move.depth) {
                 move.depth = y_ + frame.top.y;

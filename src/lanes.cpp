@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "cases.hpp"
 
@@ -111,22 +112,26 @@ public:
           s(hn::Zero(reals)),
           order(hn::Set(reals, -2.0)) {}
 
-    /// `touches` and `slips_off` tell how the car and the obstacle stand at the start.
-    HWY_INLINE void consider(Real at_c, Real at_s, Mask exists, Mask touches, Mask slips_off) {
+    /// `touching`: the car touches this obstacle at the start, closing in; `slips_off`: but bound to miss it.
+    HWY_INLINE void consider(Real at_c, Real at_s, Mask exists, Mask touching, Mask slips_off) {
         const Real zero = hn::Zero(reals);
         const Real at_order = at_s - at_c;
-        const Real near = hn::Set(reals, near_start);
-        const Mask is_near = at_order > start_order_ - near;
-        const Mask late = at_order > start_order_ + near;
-        const Mask here = hn::And(is_near, touches);
-        const Mask ahead = hn::And(at_s >= zero, hn::And(at_c >= zero, at_order <= start_order_));
-        const Mask never = hn::Or(late, hn::And(is_near, slips_off));
-        const Mask met = hn::And(exists, hn::AndNot(never, hn::Or(here, ahead)));
+        const Real later = start_order_ - at_order;
+        const Mask touches = hn::And(touching, hn::Abs(later) < hn::Set(reals, near_start));
+        const Mask ahead = hn::And(hn::Min(at_s, at_c) >= zero, later >= zero);
+        const Mask here = hn::AndNot(slips_off, touches);
+        const Mask met = hn::And(exists, hn::Or(here, hn::AndNot(touches, ahead)));
         const Real met_order = hn::IfThenElse(here, start_order_, at_order);
         const Mask earlier = hn::And(met, met_order > order);
-        c = hn::IfThenElse(earlier, hn::IfThenElse(here, start_c_, at_c), c);
-        s = hn::IfThenElse(earlier, hn::IfThenElse(here, start_s_, at_s), s);
+        c = hn::IfThenElse(earlier, at_c, c);
+        s = hn::IfThenElse(earlier, at_s, s);
         order = hn::IfThenElse(earlier, met_order, order);
+    }
+
+    /// What is met at the start is met right there.
+    HWY_INLINE void settle() {
+        c = hn::IfThenElse(at_start(), start_c_, c);
+        s = hn::IfThenElse(at_start(), start_s_, s);
     }
 
     [[nodiscard]] HWY_INLINE Mask found() const { return order > hn::Set(reals, -2.0); }
@@ -193,66 +198,68 @@ public:
             const Real start_x = turned_x(corner);
             const Real start_y = turned_y(corner);
             const Mask closes_in = hn::And(hn::Abs(along - start_x) <= touch, sign * start_y > zero);
-            const Mask slips_off = hn::And(closes_in, hn::And(y + start_y >= zero - touch, start_x <= zero));
-            first.consider(c, s, exists, hn::AndNot(slips_off, closes_in), slips_off);
+            const Mask slips_off = hn::And(y + start_y >= zero - touch, start_x <= zero);
+            first.consider(c, s, exists, closes_in, slips_off);
         };
-        const Mask nowhere = zero > zero;
-        const auto corner_meets_ground = [&](Real ground, auto where_it_is) HWY_ATTR {
+        const Mask never = zero > zero;
+        const auto corner_meets_ground = [&](Real ground, auto is_there) HWY_ATTR {
             const Real across = ground - y;
             const Real along = hn::Sqrt((lowest.radius - across) * (lowest.radius + across));
             const Real s = (across * lowest.x - along * lowest.y) * lowest.per_square;
             const Real c = (along * lowest.x + across * lowest.y) * lowest.per_square;
-            const Real gap = turned_y(lowest) - across;
-            const Mask touches = hn::And(hn::Abs(gap) <= touch, turned_x(lowest) > zero);
-            first.consider(c, s, hn::And(along >= zero, where_it_is(x + lowest.x * c - lowest.y * s)), touches, nowhere);
+            const Mask exists = hn::And(along >= zero, is_there(c, s));
+            const Mask closes_in = hn::And(hn::Abs(turned_y(lowest) - across) <= touch, turned_x(lowest) > zero);
+            first.consider(c, s, exists, closes_in, never);
         };
 
         corner_meets_side(rightmost, zero, hn::Set(reals, 1.0));
         corner_meets_side(leftmost, zero - length, hn::Set(reals, -1.0));
-        corner_meets_ground(zero - width, [&](Real where) HWY_ATTR { return where == where; });
+        corner_meets_ground(zero - width, [&](Real, Real) HWY_ATTR { return hn::Not(never); });
         const Mask high = y + lowest.x * start_s + lowest.y * start_c > zero - touch;
         if (HWY_UNLIKELY(!hn::AllFalse(reals, high))) {
-            corner_meets_ground(zero, [&](Real where) HWY_ATTR { return hn::And(high, where > touch); });
-            corner_meets_ground(zero, [&](Real where) HWY_ATTR { return hn::And(high, where < zero - length - touch); });
+            const auto lands_at = [&](Real c, Real s) HWY_ATTR { return x + lowest.x * c - lowest.y * s; };
+            corner_meets_ground(zero, [&](Real c, Real s) HWY_ATTR { return hn::And(high, lands_at(c, s) > touch); });
+            corner_meets_ground(
+                zero, [&](Real c, Real s) HWY_ATTR { return hn::And(high, lands_at(c, s) < zero - length - touch); });
         }
         {
-            const Real gx = hn::Neg(x);
-            const Real gy = hn::Neg(y);
+            const Real gx = zero - x;
+            const Real gy = zero - y;
             const Real along = hn::Sqrt(gx * gx + gy * gy - lowest.y * lowest.y);
             const Mask exists = hn::And(along <= rightmost.x + touch, along >= lowest.x - touch);
             const Real per_square = hn::Set(reals, 1.0) / (gx * gx + gy * gy);
             const Real start_x = gx * start_c + gy * start_s;
             const Real start_y = gy * start_c - gx * start_s;
             const Mask closes_in = hn::And(hn::Abs(start_y - lowest.y) <= touch, start_x > zero);
-            const Mask slips_off =
-                hn::And(closes_in, hn::Or(hn::And(start_x >= rightmost.x - touch, start_y <= zero),
-                                          hn::And(start_x <= lowest.x + touch, start_y >= zero)));
+            const Mask slips_off = hn::Or(hn::And(start_x >= rightmost.x - touch, start_y <= zero),
+                                          hn::And(start_x <= lowest.x + touch, start_y >= zero));
             first.consider((gx * along + gy * lowest.y) * per_square, (gy * along - gx * lowest.y) * per_square, exists,
-                           hn::AndNot(slips_off, closes_in), slips_off);
+                           closes_in, slips_off);
         }
         {
             const Real gx = zero - length - x;
-            const Real gy = hn::Neg(y);
+            const Real gy = zero - y;
             const Real across = hn::Neg(hn::Sqrt(gx * gx + gy * gy - lowest.x * lowest.x));
             const Mask exists = hn::And(across <= leftmost.y + touch, across >= lowest.y - touch);
             const Real per_square = hn::Set(reals, 1.0) / (gx * gx + gy * gy);
             const Real start_x = gx * start_c + gy * start_s;
             const Real start_y = gy * start_c - gx * start_s;
             const Mask closes_in = hn::And(hn::Abs(start_x - lowest.x) <= touch, start_y < zero);
-            const Mask slips_off =
-                hn::And(closes_in, hn::Or(hn::And(start_y >= leftmost.y - touch, start_x >= zero),
-                                          hn::And(start_y <= lowest.y + touch, start_x <= zero)));
+            const Mask slips_off = hn::Or(hn::And(start_y >= leftmost.y - touch, start_x >= zero),
+                                          hn::And(start_y <= lowest.y + touch, start_x <= zero));
             first.consider((gx * lowest.x + gy * across) * per_square, (gy * lowest.x - gx * across) * per_square,
-                           exists, hn::AndNot(slips_off, closes_in), slips_off);
+                           exists, closes_in, slips_off);
         }
+
+        first.settle();
 
         const Real top_x = pick(Frames::top_x);
         const Real top_y = pick(Frames::top_y);
         const Mask found = first.found();
         const Mask move_starts = hn::RebindMask(reals, crossed == hn::Zero(whole));
         const Mask stuck = hn::And(move_starts, first.at_start());
-        const Mask inside = hn::Or(y + top_x * start_s + top_y * start_c <= zero,
-                                   y + top_x * first.s + top_y * first.c <= zero);
+        const Mask inside =
+            hn::Or(y + top_x * start_s + top_y * start_c <= zero, y + top_x * first.s + top_y * first.c <= zero);
         const Mask second = hn::RebindMask(reals, quarter == one);
         const Mask gives_up = hn::And(found, hn::RebindMask(reals, changes == hn::Set(whole, constants.max_changes)));
         const Mask done = hn::Or(hn::Or(stuck, inside), hn::Or(gives_up, hn::AndNot(found, second)));
@@ -260,8 +267,7 @@ public:
         const Real sine = hn::IfThenElse(second, hn::Neg(first.c), first.s);
         const Real cosine = hn::IfThenElse(second, first.s, first.c);
         const Real diameter = hn::Set(reals, 2.0 * constants.radius);
-        const Real across =
-            hn::IfThenElse(hn::RebindMask(reals, odd == one), zero - diameter, diameter);
+        const Real across = hn::IfThenElse(hn::RebindMask(reals, odd == one), zero - diameter, diameter);
         hn::Store(hn::IfThenElse(found, x + across * sine, x), reals, x_);
         hn::Store(hn::IfThenElse(found, y - across * cosine, y), reals, y_);
         hn::Store(hn::IfThenElse(found, first.c, zero), reals, c_);
@@ -274,7 +280,8 @@ public:
         // Answers: the changes where parked, -1 where not, and -2 past the second quarter.
         const Integer not_parked = hn::IfThenElse(hn::RebindMask(whole, hn::Or(stuck, gives_up)), hn::Set(whole, -1),
                                                   hn::Set(whole, past_second_quarter));
-        hn::Store(hn::IfThenElse(hn::RebindMask(whole, hn::AndNot(stuck, inside)), changes, not_parked), whole, answer_);
+        hn::Store(hn::IfThenElse(hn::RebindMask(whole, hn::AndNot(stuck, inside)), changes, not_parked), whole,
+                  answer_);
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(reals, done, bits);
         done_ = bits[0];
@@ -297,21 +304,19 @@ private:
     static constexpr std::int64_t past_second_quarter = -2;
 
     HWY_INLINE void begin_next(Cases& cases, std::size_t lane) {
-        const std::size_t index = cases.next();
-        index_[lane] = index;
-        if (index == Cases::none) {
+        const std::optional<Cases::Start> start = cases.next();
+        if (!start) {
             busy_ &= ~(1U << lane);
             return;
         }
         busy_ |= 1U << lane;
-        const FullSteering& steering = cases.steering();
-        const FullSteeringRun start(steering, cases.heading(index));
-        x_[lane] = start.x();
-        y_[lane] = start.y();
-        c_[lane] = start.heading().c;
-        s_[lane] = start.heading().s;
-        length_[lane] = steering.problem.length;
-        width_[lane] = steering.problem.width;
+        index_[lane] = start->index;
+        x_[lane] = start->run.x();
+        y_[lane] = start->run.y();
+        c_[lane] = start->run.heading().c;
+        s_[lane] = start->run.heading().s;
+        length_[lane] = start->length;
+        width_[lane] = start->width;
         changes_[lane] = 0;
         quarter_[lane] = 0;
         crossed_[lane] = 0;

@@ -178,14 +178,13 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
     // `at_start` is asked only of what has its root near the start, whether it touches there and moves in.
     const auto consider = [&](double c, double s, double across, Meets meets, auto at_start) {
         double order = s - c;
-        if (order > start_order + near_start) return;
-        const AtStart found = order > start_order - near_start ? at_start() : AtStart::apart;
+        const double later = start_order - order;
+        if (later <= -near_start) return;
+        const AtStart found = later < near_start ? at_start() : AtStart::apart;
         if (found == AtStart::slips_off) return;
         if (found == AtStart::touches) {
-            c = start_c;
-            s = start_s;
             order = start_order;
-        } else if (!(s >= 0.0 && c >= 0.0 && order <= start_order)) {
+        } else if (!(s >= 0.0 && c >= 0.0 && later >= 0.0)) {
             return;
         }
         first.ahead |= bit_of(meets);
@@ -276,6 +275,10 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
                          return slips_off ? AtStart::slips_off : AtStart::touches;
                      });
         }
+    }
+    if (first.order == start_order) {  // what is met at the start is met right there
+        first.c = start_c;
+        first.s = start_s;
     }
     return first;
 }
