@@ -93,7 +93,9 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
         for (const snug::HeadingRange& r : answer.ranges) {
             EXPECT_TRUE(last <= r.min && r.min <= r.max && r.max <= std::numbers::pi / 2) << line;
             // A stretch that is wide enough may hold headings that need fewer changes than all of it.
-            if (options.min_range == 0) EXPECT_GE(r.direction_changes, answer.direction_changes.value_or(0)) << line;
+            if (options.min_range == 0) {
+                EXPECT_GE(r.direction_changes, answer.direction_changes.value_or(0)) << line;
+            }
             last = r.max;
         }
         if (!answer.maneuver) continue;
