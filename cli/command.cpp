@@ -23,6 +23,7 @@ struct Subcommand {
 constexpr Subcommand subcommands[] = {
     {"entry", "From where to enter a slot, and what to do move by move.", parse_entry},
     {"cars", "The cars snug knows, and what a car file says.", parse_cars},
+    {"paper", "The paper's figures and claims again, beside the exact answers.", parse_paper},
 };
 
 const Subcommand* find(const std::string& name) {
