@@ -1,5 +1,5 @@
 # A thin front: every target sets itself up, then CMake's presets do the work.
-.PHONY: build demo test soak bench format clean setup check-format check-tidy
+.PHONY: build demo test soak bench pictures format clean setup check-format check-tidy
 .NOTPARALLEL:
 
 JOBS := $(shell nproc)
@@ -32,6 +32,13 @@ bench: setup
 	cmake --preset release
 	cmake --build --preset release --parallel $(JOBS) --target snug_bench
 	build/release/snug_bench
+
+# The pictures the README shows.
+pictures: setup
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS) --target snug_cli
+	@mkdir -p docs/pictures
+	build/release/snug entry --car renault-zoe --length 4.5 --width 2.0 --draw docs/pictures/renault-zoe-4.5x2.0.png
 
 format: setup
 	clang-format -i $(SOURCES)
