@@ -14,6 +14,9 @@
 #include "snug/snug.hpp"
 
 namespace snug {
+
+void add_batches();  // batch_bench.cpp
+
 namespace {
 
 struct Case {
@@ -160,6 +163,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     snug::add_all();
+    snug::add_batches();
     snug::WithRatios reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     benchmark::Shutdown();

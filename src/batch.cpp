@@ -52,15 +52,19 @@ Cases::Cases(FullSteering& steering, const std::vector<double>& headings, const 
     if (slots == nullptr) possible_ = possible_headings(steering.problem);
 }
 
-std::optional<Cases::Start> Cases::next() {
-    for (; next_ < headings_.size(); ++next_) {
+void Cases::prepare() {
+    taken_ = prepared_ = 0;
+    for (; next_ < headings_.size() && prepared_ < starts_.size(); ++next_) {
         enter_slot(next_);
         const FullSteeringRun run(steering_, headings_[next_]);
-        if (is_entry(headings_[next_], run.heading()))
-            return Start{next_++, run, steering_.problem.length, steering_.problem.width};
-        answer(next_, -1);
+        const QuarterHeading& direction = run.heading();
+        if (is_entry(headings_[next_], direction)) {
+            starts_[prepared_++] = {
+                next_, run.x(), run.y(), direction.c, direction.s, steering_.problem.length, steering_.problem.width};
+        } else {
+            answer(next_, -1);
+        }
     }
-    return std::nullopt;
 }
 
 void Cases::answer_alone(std::size_t index) {

@@ -1,8 +1,8 @@
 // Independent runs of the paper's strategy with one car: where each begins, and what came out.
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "full_steering.hpp"
@@ -19,10 +19,11 @@ class Cases {
 public:
     /// A case at its entry position.
     struct Start {
-        std::size_t index;
-        FullSteeringRun run;
-        double length;  ///< of its slot [m]
-        double width;   ///< of its slot [m]
+        std::size_t index = 0;
+        double x = 0.0, y = 0.0;  ///< of the first turning centre [m]
+        double c = 1.0, s = 0.0;  ///< of the heading
+        double length = 0.0;      ///< of its slot [m]
+        double width = 0.0;       ///< of its slot [m]
     };
 
     /// With `slots`, case i is headings[i] into slots[i]; otherwise all enter the slot of `steering`.
@@ -32,7 +33,10 @@ public:
     [[nodiscard]] int max_changes() const { return max_changes_; }
 
     /// The next case at a possible entry position, if there is one; those before it that are not are answered.
-    std::optional<Start> next();
+    const Start* next() {
+        if (taken_ == prepared_) prepare();
+        return taken_ == prepared_ ? nullptr : &starts_[taken_++];
+    }
 
     void answer(std::size_t index, int changes) { changes_[index] = changes; }
     /// Drives a case by itself.
@@ -41,6 +45,7 @@ public:
     [[nodiscard]] std::vector<int>& answers() { return changes_; }
 
 private:
+    void prepare();
     void enter_slot(std::size_t index);
     [[nodiscard]] bool is_entry(double heading, const QuarterHeading& direction) const;
 
@@ -50,6 +55,9 @@ private:
     int max_changes_;
     std::vector<Headings> possible_;  ///< for the one slot
     std::size_t next_ = 0;
+    std::array<Start, 64> starts_;
+    std::size_t taken_ = 0;
+    std::size_t prepared_ = 0;
     std::vector<int> changes_;
 };
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <type_traits>
 
 #include "cases.hpp"
 
@@ -114,11 +114,10 @@ public:
 
     /// `touching`: the car touches this obstacle at the start, closing in; `slips_off`: but bound to miss it.
     HWY_INLINE void consider(Real at_c, Real at_s, Mask exists, Mask touching, Mask slips_off) {
-        const Real zero = hn::Zero(reals);
         const Real at_order = at_s - at_c;
         const Real later = start_order_ - at_order;
         const Mask touches = hn::And(touching, hn::Abs(later) < hn::Set(reals, near_start));
-        const Mask ahead = hn::And(hn::Min(at_s, at_c) >= zero, later >= zero);
+        const Mask ahead = hn::Min(hn::Min(at_s, at_c), later) >= hn::Zero(reals);
         const Mask here = hn::AndNot(slips_off, touches);
         const Mask met = hn::And(exists, hn::Or(here, hn::AndNot(touches, ahead)));
         const Real met_order = hn::IfThenElse(here, start_order_, at_order);
@@ -189,15 +188,17 @@ public:
         const auto turned_x = [&](const Corner& corner) HWY_ATTR { return corner.x * start_c - corner.y * start_s; };
         const auto turned_y = [&](const Corner& corner) HWY_ATTR { return corner.x * start_s + corner.y * start_c; };
 
-        const auto corner_meets_side = [&](const Corner& corner, Real wall, Real sign) HWY_ATTR {
+        const auto corner_meets_side = [&](const Corner& corner, Real wall, auto on_the_left) HWY_ATTR {
             const Real along = wall - x;
-            const Real across = sign * hn::Sqrt((corner.radius - along) * (corner.radius + along));
+            const Real root = hn::Sqrt((corner.radius - along) * (corner.radius + along));
+            const Real across = on_the_left ? hn::Neg(root) : root;
             const Real s = (across * corner.x - along * corner.y) * corner.per_square;
             const Real c = (along * corner.x + across * corner.y) * corner.per_square;
             const Mask exists = y + corner.x * s + corner.y * c <= zero;  // false where there is no root
             const Real start_x = turned_x(corner);
             const Real start_y = turned_y(corner);
-            const Mask closes_in = hn::And(hn::Abs(along - start_x) <= touch, sign * start_y > zero);
+            const Mask closes_in =
+                hn::And(hn::Abs(along - start_x) <= touch, on_the_left ? start_y < zero : start_y > zero);
             const Mask slips_off = hn::And(y + start_y >= zero - touch, start_x <= zero);
             first.consider(c, s, exists, closes_in, slips_off);
         };
@@ -207,20 +208,22 @@ public:
             const Real along = hn::Sqrt((lowest.radius - across) * (lowest.radius + across));
             const Real s = (across * lowest.x - along * lowest.y) * lowest.per_square;
             const Real c = (along * lowest.x + across * lowest.y) * lowest.per_square;
-            const Mask exists = hn::And(along >= zero, is_there(c, s));
+            const Mask exists = is_there(along >= zero, c, s);
             const Mask closes_in = hn::And(hn::Abs(turned_y(lowest) - across) <= touch, turned_x(lowest) > zero);
             first.consider(c, s, exists, closes_in, never);
         };
 
-        corner_meets_side(rightmost, zero, hn::Set(reals, 1.0));
-        corner_meets_side(leftmost, zero - length, hn::Set(reals, -1.0));
-        corner_meets_ground(zero - width, [&](Real, Real) HWY_ATTR { return hn::Not(never); });
+        corner_meets_side(rightmost, zero, std::false_type());
+        corner_meets_side(leftmost, zero - length, std::true_type());
+        corner_meets_ground(zero - width, [](Mask exists, Real, Real) HWY_ATTR { return exists; });
         const Mask high = y + lowest.x * start_s + lowest.y * start_c > zero - touch;
         if (HWY_UNLIKELY(!hn::AllFalse(reals, high))) {
             const auto lands_at = [&](Real c, Real s) HWY_ATTR { return x + lowest.x * c - lowest.y * s; };
-            corner_meets_ground(zero, [&](Real c, Real s) HWY_ATTR { return hn::And(high, lands_at(c, s) > touch); });
-            corner_meets_ground(
-                zero, [&](Real c, Real s) HWY_ATTR { return hn::And(high, lands_at(c, s) < zero - length - touch); });
+            corner_meets_ground(zero, [&](Mask exists, Real c, Real s)
+                                          HWY_ATTR { return hn::And(hn::And(high, exists), lands_at(c, s) > touch); });
+            corner_meets_ground(zero, [&](Mask exists, Real c, Real s) HWY_ATTR {
+                return hn::And(hn::And(high, exists), lands_at(c, s) < zero - length - touch);
+            });
         }
         {
             const Real gx = zero - x;
@@ -304,17 +307,17 @@ private:
     static constexpr std::int64_t past_second_quarter = -2;
 
     HWY_INLINE void begin_next(Cases& cases, std::size_t lane) {
-        const std::optional<Cases::Start> start = cases.next();
-        if (!start) {
+        const Cases::Start* start = cases.next();
+        if (start == nullptr) {
             busy_ &= ~(1U << lane);
             return;
         }
         busy_ |= 1U << lane;
         index_[lane] = start->index;
-        x_[lane] = start->run.x();
-        y_[lane] = start->run.y();
-        c_[lane] = start->run.heading().c;
-        s_[lane] = start->run.heading().s;
+        x_[lane] = start->x;
+        y_[lane] = start->y;
+        c_[lane] = start->c;
+        s_[lane] = start->s;
         length_[lane] = start->length;
         width_[lane] = start->width;
         changes_[lane] = 0;
@@ -339,6 +342,10 @@ private:
 };
 
 void drive_all_in_lanes(Cases& cases) {
+    if constexpr (lanes == 1) {  // nothing to gain
+        while (const Cases::Start* start = cases.next()) cases.answer_alone(start->index);
+        return;
+    }
     const FullSteering& steering = cases.steering();
     const Constants constants = {Frames(steering), steering.problem.touch, steering.problem.radius,
                                  cases.max_changes()};
