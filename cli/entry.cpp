@@ -71,6 +71,11 @@ EntryOptions entry_options(const Options& options) {
     entry_options.clearance = clearance(options);
     entry_options.enter = enter(options);
     entry_options.strategy = strategy(options);
+    const bool trials = std::holds_alternative<ReversedTrials>(entry_options.strategy) ||
+                        std::holds_alternative<ParallelTrials>(entry_options.strategy);
+    if (trials && options.typed("--min-range") != nullptr) {
+        throw Error("--min-range asks for ranges of headings, but trials have none; leave it out or change --strategy");
+    }
     if (std::holds_alternative<Stepping>(entry_options.strategy)) {
         entry_options.progress = show_progress();
     }

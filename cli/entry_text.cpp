@@ -63,6 +63,15 @@ Gaps gaps(const Car& car, const Slot& slot, const Pose& pose) {
     return gaps;
 }
 
+/// How far out in the road the car's corner is that enters along the slot's corner; trials may enter above it. [m]
+double height_over_slot_corner(const EntryQuestion& question, const Pose& entry) {
+    const bool backward = question.options.enter == Enter::backward;
+    const double clearance = question.options.clearance;
+    const Pose pose = question.slot.to_slot(entry);
+    const double along = backward ? question.car.front() + clearance : -question.car.rear() - clearance;
+    return pose.y + along * std::sin(pose.heading) - (question.car.width() / 2.0 + clearance) * std::cos(pose.heading);
+}
+
 /// Off parallel, in (-180, 180]. [deg]
 double off_parallel(const Slot& slot, const Pose& pose) {
     return std::remainder(slot.to_slot(pose).heading, 2.0 * std::numbers::pi) / degree;
@@ -86,8 +95,10 @@ std::string refusal(const EntryQuestion& question) {
               fixed(options.min_range / degree, decimals(options.min_range)) + " deg wide\nparks with " +
               (options.max_changes == 0 ? "" : "up to ") + changes(options.max_changes.value_or(200));
     } else {
-        why = "no entry heading parks with " + std::string(options.max_changes == 0 ? "" : "up to ") +
-              changes(options.max_changes.value_or(200));
+        const bool trials = std::holds_alternative<ReversedTrials>(options.strategy) ||
+                            std::holds_alternative<ParallelTrials>(options.strategy);
+        why = (trials ? "trials do not reach the goal with " : "no entry heading parks with ") +
+              std::string(options.max_changes == 0 ? "" : "up to ") + changes(options.max_changes.value_or(200));
     }
     return name(question.car) + " cannot park in " + slot_words(question.slot) + ":\n" + why + ".\n";
 }
@@ -105,7 +116,8 @@ const HeadingRange* best_range(const EntryAnswer& answer) {
 }
 
 std::string entry_position(const EntryQuestion& question, const EntryAnswer& answer) {
-    const bool backward = question.options.enter == Enter::backward;
+    const EntryOptions& options = question.options;
+    const bool backward = options.enter == Enter::backward;
     const std::string side = question.slot.side() == Side::right ? "right" : "left";
     const std::string touching = backward ? "front" : "rear";
     const Pose pose = answer.maneuver->entry();
@@ -115,13 +127,20 @@ std::string entry_position(const EntryQuestion& question, const EntryAnswer& ans
     const double heading = std::abs(off_parallel(question.slot, pose));
     const HeadingRange* range = best_range(answer);
     const double spare = range == nullptr ? 0.0 : (range->max - range->min) / 2.0;
-    const int digits = decimals(spare);
-    Rows rows = {
-        {"corner", "put the car's " + touching + "-" + side + " corner at the slot's " + touching + " corner,"},
-        {"", question.options.clearance > 0.0 ? metres(question.options.clearance) + " off along and across the car"
-                                              : "where the " + touching + " neighbour begins"},
-        {"heading",
-         fixed(heading, digits) + " deg off parallel, the " + (backward ? "nose" : "tail") + " away from the curb"}};
+    const int digits = range == nullptr ? 3 : decimals(spare);
+    const double above = height_over_slot_corner(question, pose);
+    const std::string corner = "put the car's " + touching + "-" + side + " corner ";
+    const std::string off = options.clearance > 0.0 ? metres(options.clearance) + " off along and across the car" : "";
+    const std::string begins = "where the " + touching + " neighbour begins";
+    Rows rows;
+    if (above > 1e-6) {
+        rows = {{"corner", corner + metres(above) + " out in the road,"}, {"", "level with " + begins}};
+        if (!off.empty()) rows.push_back({"", off});
+    } else {
+        rows = {{"corner", corner + "at the slot's " + touching + " corner,"}, {"", off.empty() ? begins : off}};
+    }
+    rows.push_back({"heading", fixed(heading, digits) + " deg off parallel, the " + (backward ? "nose" : "tail") +
+                                   " away from the curb"});
     if (range != nullptr) {
         rows.push_back({"", "from " + fixed(range->min / degree, digits) + " to " + fixed(range->max / degree, digits) +
                                 " deg, so at most " + fixed(spare / degree, digits) + " deg off either way"});

@@ -51,6 +51,17 @@ double side_of_slot(const Options& options, const std::string& name, double car_
     return car_size + options.number(extra, 0.0, shortest - car_size, longest - car_size, " m");
 }
 
+std::optional<Pose> goal(const Options& options) {
+    const std::string* text = options.typed("--goal");
+    if (text == nullptr) return std::nullopt;
+    const std::vector<double> pose = numbers("--goal", *text, {"", -farthest, farthest});
+    if (pose.size() != 3 || text->find(':') != text->npos) {
+        throw Error("--goal: " + in_quotes(*text) +
+                    " is no pose; write X,Y,HEADING in metres and radians, for example -3.4,-0.9,0");
+    }
+    return Pose{pose[0], pose[1], pose[2]};
+}
+
 Point corner(const Options& options) {
     const std::string* text = options.typed("--corner");
     if (text == nullptr) {
@@ -166,12 +177,17 @@ void add_driving(Options& options) {
 
 void add_strategy(Options& options) {
     options.group("Strategy");
-    options.add("--strategy", "NAME",
-                "max-steer (default): full steering until contact,\nexactly; stepping: the same in small steps.");
+    options.add(
+        "--strategy", "NAME",
+        "max-steer (default): full steering until contact,\nexactly; stepping: the same in small "
+        "steps;\nreversed-trials, parallel-trials: from a goal, as\nthe planners the paper compares itself with.");
     options.add("--step", "M", "stepping: path of one step [m] (0.001).");
     options.add("--heading-step", "RAD", "stepping: between entry headings [rad] (0.0001).");
     options.add("--stop", "WHEN",
                 "stepping: looks whether the car is parked on\ncontact (default), or after every step: inside.");
+    options.add("--goal", "X,Y,HEADING",
+                "trials: where the rear axle ends up, in the world\n[m, rad] (reversed-trials: at the entry side "
+                "and\nthe rear neighbour; parallel-trials: anywhere).");
 }
 
 void add_output(Options& options) {
@@ -225,14 +241,18 @@ Enter enter(const Options& options) {
 }
 
 Strategy strategy(const Options& options) {
-    if (options.choice("--strategy", {"max-steer", "stepping"}) == 0) {
-        for (const char* step : {"--step", "--heading-step", "--stop"}) {
-            if (options.typed(step) != nullptr) {
-                throw Error(std::string(step) + " belongs to --strategy stepping; leave it out or give that strategy");
-            }
-        }
-        return MaxSteer{};
-    }
+    const std::size_t chosen =
+        options.choice("--strategy", {"max-steer", "stepping", "reversed-trials", "parallel-trials"});
+    const auto belongs_to = [&options](const char* option, bool here, const char* strategies) {
+        if (!here && options.typed(option) != nullptr)
+            throw Error(std::string(option) + " belongs to --strategy " + strategies +
+                        "; leave it out or give that strategy");
+    };
+    for (const char* option : {"--step", "--heading-step", "--stop"}) belongs_to(option, chosen == 1, "stepping");
+    belongs_to("--goal", chosen >= 2, "reversed-trials or parallel-trials");
+    if (chosen == 0) return MaxSteer{};
+    if (chosen == 2) return ReversedTrials{.goal = goal(options)};
+    if (chosen == 3) return ParallelTrials{.goal = goal(options)};
     Stepping stepping;
     stepping.step = options.number("--step", stepping.step, 1e-7, 1.0, " m");
     stepping.heading_step = options.number("--heading-step", stepping.heading_step, 1e-6, quarter_turn, " rad");

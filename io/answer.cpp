@@ -1,12 +1,16 @@
 // Cars, slots, maneuvers and answers as JSON objects, key by key as documented.
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "snug/io.hpp"
 
 namespace snug {
 
 std::string_view to_string(const Strategy& strategy) {
-    return std::holds_alternative<MaxSteer>(strategy) ? "max-steer" : "stepping";
+    constexpr std::string_view names[] = {"max-steer", "stepping", "reversed-trials", "parallel-trials"};
+    static_assert(std::size(names) == std::variant_size_v<Strategy>);
+    return names[strategy.index()];
 }
 
 Json as_json(const Car& car) {

@@ -21,7 +21,7 @@ using namespace detail;
 
 constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double negligible = 5e-10;  ///< moves shorter than this are left out [m]
-constexpr double rounding = 1e-11;    ///< what rounding may do to a position, amply [m]
+constexpr double rounding = 1e-10;    ///< what rounding may do to a position, amply [m]
 constexpr double touching = 1e-9;     ///< of the car's length: a goal may stick out that far
 
 /// The question in the entering frame (entering.hpp), where every car enters backward into a slot on the right.
@@ -139,8 +139,8 @@ Pose checked_goal(const Ground& ground, const Slot& slot, Enter enter, const Pos
     return inside;
 }
 
-/// The goal brought below the entry side by more than rounding. Exactly at it, a corner of the car and one of the slot may
-/// coincide, and which of them is above the other would be left to chance.
+/// The goal brought below the entry side by more than rounding. Exactly at it, a corner of the car and one of the slot
+/// may coincide, and which of them is above the other would be left to chance.
 Pose below_entry_side(const Ground& ground, Pose goal) {
     double top = goal.y;
     for (const Point& corner : frame(ground.car, goal)) top = std::max(top, corner.y);
@@ -329,7 +329,7 @@ std::optional<Maneuver> parallel_trials(const Car& car, const Slot& slot, const 
     const auto here = [&] { return moves.back().end; };
     if (!(moves.back().length > negligible)) return std::nullopt;
     Direction direction = Direction::backward;
-    for (int changes = 0; here().y > goal_y + negligible / 100.0; ++changes) {
+    for (int changes = 0; here().y > goal_y + rounding / 2.0; ++changes) {
         direction = reverse_of(direction);
         const std::vector<Move> trial = next_trial(ground, here(), direction, goal_y);
         if (trial.empty() || changes == options.max_changes) return std::nullopt;

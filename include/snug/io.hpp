@@ -29,7 +29,7 @@ Json as_json(const Maneuver& maneuver);
 /// The answer of `snug entry --format json`.
 Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const EntryAnswer& answer);
 
-/// "max-steer", "stepping"
+/// "max-steer", "stepping", "reversed-trials", "parallel-trials"
 std::string_view to_string(const Strategy& strategy);
 
 /// JSON text: what fits on a line stays on one; ends with a newline.

@@ -20,6 +20,9 @@ const std::vector<std::string> parkable = {
     zoe + "--clearance 0.02",
     zoe + "--strategy stepping --step 0.01 --heading-step 0.001",
     "entry --car renault-zoe --length 7 --width 3.2 --enter forward",
+    zoe + "--strategy reversed-trials",
+    "entry --car renault-zoe --length 5.9 --width 2.1 --strategy reversed-trials --clearance 0.02",
+    zoe + "--strategy parallel-trials --goal=-4.1,-1,0",
 };
 
 std::vector<std::string> keys(const Json& object) {
@@ -93,7 +96,8 @@ TEST(Entry, PartsOfAnAnswerAgree) {
         EXPECT_EQ(maneuver["direction_changes"], changes);
         EXPECT_NEAR(maneuver["length"].get<double>(), length, 1e-9 * length);
 
-        ASSERT_FALSE(answer["entry_ranges"].empty());
+        const bool trials = question.find("trials") != question.npos;
+        ASSERT_EQ(answer["entry_ranges"].empty(), trials);
         double last = -1.0;
         for (const Json& range : answer["entry_ranges"]) {
             EXPECT_GE(range["heading_min"].get<double>(), last) << "ranges rise and do not overlap";
