@@ -47,7 +47,8 @@ struct Sample {
 };
 
 /// May one trust that a function that is positive at both ends of an interval stays so in between? Yes if it is far from
-/// zero for how much it moves, if it plainly rises or falls, or if its tangents, made twice as steep, meet above zero.
+/// zero for how much it moves, if it plainly rises or falls, or if its tangents, made four times as steep, meet above
+/// zero.
 /// (Beyond a jump slopes are infinite, so straight lines alone would not do.)
 bool stays_positive(const Sample& left, const Sample& right, double width) {
     const double change = right.value - left.value;
@@ -55,10 +56,10 @@ bool stays_positive(const Sample& left, const Sample& right, double width) {
     const double steep = std::max(std::abs(left.slope), std::abs(right.slope)) * width;
     const double least = std::min(left.value, right.value);
     if (left.slope < 0.0 && right.slope > 0.0) {
-        const double fall = 2.0 * left.slope;
-        const double rise = 2.0 * right.slope;
+        const double fall = 4.0 * left.slope;
+        const double rise = 4.0 * right.slope;
         const double meet = (change - rise * width) / (fall - rise);
-        return !(meet > 0.0 && meet < width) || left.value + fall * meet > 0.0;
+        if (meet > 0.0 && meet < width) return left.value + fall * meet > 0.0;
     }
     if (least > 2.0 * (std::abs(change) + gentle)) return true;
     if (left.slope > 0.0 && right.slope < 0.0) return steep <= 4.0 * least;
