@@ -128,7 +128,8 @@ constexpr double parks = 0.486;
 TEST(Batch, EveryLaneIsFilledWhateverTheirNumber) {
     for (std::size_t count = 0; count <= 70; ++count) {
         with_every_vector([&] {
-            EXPECT_EQ(direction_changes(zoe, short_slot, std::vector<double>(count, parks)), std::vector<int>(count, 18));
+            EXPECT_EQ(direction_changes(zoe, short_slot, std::vector<double>(count, parks)),
+                      std::vector<int>(count, 18));
             EXPECT_EQ(direction_changes(zoe, std::vector<Slot>(count, short_slot), std::vector<double>(count, parks)),
                       std::vector<int>(count, 18));
         });
@@ -169,9 +170,9 @@ TEST(Batch, ImpossibleHeadingsAreNamedByTheirIndex) {
 }
 
 TEST(Batch, ImpossibleOptionsAreRefusedEvenWithoutCases) {
-    for (const MaxSteerOptions& bad : {MaxSteerOptions{.max_changes = -1}, MaxSteerOptions{.max_changes = 100001},
-                                       MaxSteerOptions{.clearance = -0.1},
-                                       MaxSteerOptions{.clearance = std::numeric_limits<double>::quiet_NaN()}}) {
+    for (const MaxSteerOptions& bad :
+         {MaxSteerOptions{.max_changes = -1}, MaxSteerOptions{.max_changes = 100001},
+          MaxSteerOptions{.clearance = -0.1}, MaxSteerOptions{.clearance = std::numeric_limits<double>::quiet_NaN()}}) {
         EXPECT_THROW((void)direction_changes(zoe, short_slot, {}, bad), Error);
         EXPECT_THROW((void)direction_changes(zoe, std::vector<Slot>{}, {}, bad), Error);
     }
