@@ -68,6 +68,11 @@ TEST(BadInput, NumbersOutOfRange) {
     expect_refusal(run(zoe + "--threads 0"), {"--threads"});
     expect_refusal(run(zoe + "--threads 1025"), {"--threads"});
     expect_refusal(run(zoe + "--strategy stepping --step 0"), {"--step"});
+    expect_refusal(run(zoe + "--goal=-4,-1,0"), {"--goal", "reversed-trials"});
+    expect_refusal(run(zoe + "--strategy reversed-trials --goal=-4,-1"), {"--goal", "X,Y,HEADING"});
+    expect_refusal(run(zoe + "--strategy reversed-trials --goal=-4,0,0"), {"goal (-4 m, 0 m, 0 rad)", "inside"});
+    expect_refusal(run(zoe + "--strategy parallel-trials --goal=-4,-1,0.1"), {"goal", "parallel"});
+    expect_refusal(run(zoe + "--strategy parallel-trials --min-range 0.1"), {"--min-range", "trials"});
     expect_refusal(run(zoe + "--strategy stepping --heading-step 7"), {"--heading-step"});
     expect_refusal(run(zoe + "--corner 1"), {"--corner", "X,Y"});
     expect_refusal(run(zoe + "--corner 1,2,3"), {"--corner", "X,Y"});
