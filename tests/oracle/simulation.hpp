@@ -327,6 +327,11 @@ void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>&
         if (graze && std::isfinite(leg.drive.inside_from)) leg.drive = drive(problem, leg.path);  // how deep inside
         if (leg.drive.least_top < out.least_top) out.least_top = leg.drive.least_top, out.least_move = changes;
         out.itinerary = (out.itinerary ^ std::uint64_t(leg.drive.kind + 2)) * 0x9E3779B97F4A7C15ULL;
+        // With a clearance the car itself can be inside at a steep entry position whose first move cannot start.
+        if (changes == 0 && leg.drive.inside_from <= problem.forgiven &&
+            drive(problem, leg.path).contact <= problem.forgiven) {
+            return;  // no entry
+        }
         if (std::isfinite(leg.drive.inside_from)) {
             leg.length = leg.drive.inside_from;
             out.legs.push_back(leg);
