@@ -40,6 +40,14 @@ pictures: setup
 	@mkdir -p docs/pictures
 	build/release/snug entry --car renault-zoe --length 4.5 --width 2.0 --draw docs/pictures/renault-zoe-4.5x2.0.png
 
+# Every figure, table and claim of the paper again, in one report.
+paper: setup
+	@setup/install.sh paper-packages.txt
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS) --target snug_cli
+	build/release/snug paper --out build/paper
+	/usr/bin/python3 paper/figures.py build/paper
+
 format: setup
 	clang-format -i $(SOURCES)
 

@@ -1,6 +1,7 @@
 // A table as CSV: one header, rows of numbers and words, an empty field where there is no answer.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,9 @@
 #include "snug/io.hpp"
 
 namespace snug::paper {
+
+/// A point of a grid, without the digits that counting it out has left. [m]
+inline double on_grid(double value) { return std::round(value * 1e9) / 1e9; }
 
 class Csv {
 public:

@@ -27,7 +27,7 @@ std::optional<double> first_length(const Car& car, double extra_width, int max_c
     options.max_changes = max_changes;
     const double steps_to_exact = std::floor((exact->length - car.length()) / grids.length_step);
     for (double step = std::max(0.0, steps_to_exact - 1.0); step < steps_to_exact + 50.0; step += 1.0) {
-        const double extra = step * grids.length_step;
+        const double extra = on_grid(step * grids.length_step);
         const Slot slot({.length = car.length() + extra, .width = car.width() + extra_width});
         if (entry(car, slot, options).parkable) return extra;
     }
@@ -47,8 +47,8 @@ File curves(const std::string& name, const std::vector<CarMinima>& minima, std::
                 extra_length = row.slot->length - of.car.length();
                 heading = row.slot->entry_heading;
             }
-            csv.row(of.car.name(), row.max_changes, row.given - of.car.width(), extra_length, row.given, length,
-                    heading);
+            csv.row(of.car.name(), row.max_changes, on_grid(row.given - of.car.width()), extra_length, row.given,
+                    length, heading);
         }
     }
     return csv.file(name);
@@ -71,7 +71,7 @@ const std::vector<int>& counts() {
 
 std::vector<double> extra_widths(const Grids& grids, double step) {
     std::vector<double> widths;
-    for (int i = 1; i <= std::lround(grids.widest / step); ++i) widths.push_back(i * step);
+    for (int i = 1; i <= std::lround(grids.widest / step); ++i) widths.push_back(on_grid(i * step));
     return widths;
 }
 

@@ -20,7 +20,7 @@ std::vector<TrialsInSlot> trials_over_length(Work& work) {
     std::vector<TrialsInSlot> all;
     // Down from 5.8 m, so that the lengths are round, to the car's own.
     for (int i = static_cast<int>(std::floor((longest - zoe.length()) / step)); i >= 0; --i)
-        all.push_back({longest - i * step, {}, {}});
+        all.push_back({on_grid(longest - i * step), {}, {}});
     work.each(all.size(), [&](std::size_t i) {
         const Slot slot({.length = all[i].length, .width = slot_width});
         all[i].trials = reversed_trials_by_goal(zoe, slot);

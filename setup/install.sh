@@ -1,14 +1,17 @@
 #!/bin/sh
-# Installs the packages of packages.txt, if one of them is missing; otherwise touches nothing and needs no rights.
+# Installs the packages of packages.txt, or of the list given instead, if one of them is missing; otherwise touches
+# nothing and needs no rights.
 set -eu
 
+list="$(dirname "$0")/${1:-packages.txt}"
+
 command -v dpkg-query >/dev/null || {
-    echo "setup: not a Debian system; going on with what is installed (setup/packages.txt says what is needed)" >&2
+    echo "setup: not a Debian system; going on with what is installed ($list says what is needed)" >&2
     exit 0
 }
 
 missing=
-for package in $(sed 's/#.*//' "$(dirname "$0")/packages.txt"); do
+for package in $(sed 's/#.*//' "$list"); do
     status=$(dpkg-query --show --showformat '${db:Status-Status}' "$package" 2>/dev/null || true)
     [ "$status" = installed ] || missing="$missing $package"
 done
