@@ -218,7 +218,9 @@ private:
 
     void split(const Run& left, const Run& right, double part) {
         const std::size_t mark = moves_.size();
-        const Run middle = follow(left.heading + (right.heading - left.heading) * part, limit_);
+        double at = left.heading + (right.heading - left.heading) * part;
+        if (!(at > left.heading && at < right.heading)) at = left.heading + (right.heading - left.heading) * 0.5;
+        const Run middle = follow(at, limit_);
         explore(left, middle);
         explore(middle, right);
         moves_.resize(mark);
