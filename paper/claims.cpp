@@ -13,7 +13,6 @@ namespace snug::paper {
 
 namespace {
 
-constexpr double centimetre = 0.01;
 constexpr double tight = 0.4;  ///< the extra slot length the paper calls hard [m]
 
 // Claims.
@@ -41,6 +40,9 @@ Json as_json(const Claim& claim, double grid_step) {
             {"unit", claim.unit},   {"published", claim.published},       {"paper_steps", claim.paper_steps},
             {"exact", claim.exact}, {"agrees", agrees(claim, grid_step)}, {"finding", claim.finding}};
 }
+
+/// A length from the paper's grid.
+Json on_grid_json(const std::optional<double>& value) { return value ? Json(on_grid(*value)) : Json(); }
 
 template <class Number>
 Json json_of(const std::optional<Number>& number) {
@@ -222,7 +224,7 @@ void add_headings(std::vector<Claim>& claims, const Evidence& evidence, Work& wo
     claims.push_back({"headings-wider-with-width", "4.2", "A wider slot can be entered from a wider range of headings.",
                       "", true, shrinks(evidence.stepped_over_width, sampled_ranges, sampling) == 0, shrunk == 0,
                       shrunk == 0
-                          ? "All entry headings together grow with every step of the width, at each limit."
+                          ? "All entry headings together never get fewer from one width to the next, at each limit."
                           : "All entry headings together shrink at " + std::to_string(shrunk) + " of " +
                                 std::to_string(over_width.size() - 4) +
                                 " steps of the width; the upper end of the range keeps rising, but where two "
@@ -366,12 +368,12 @@ void add_tight_slots(std::vector<Claim>& claims, const Evidence& evidence, Work&
 
     const CarMinima& zoe = of(evidence, "renault-zoe");
     const std::optional<double> gain = difference(zoe.extra_length(30, widest), zoe.extra_length(100, widest));
-    claims.push_back({"zoe-100-changes", "4.3",
-                      "Going from 30 to 100 direction changes shortens the ZOE's slot by 0.02 m.", "m", 0.02,
-                      json_of(difference(zoe.stepped_extra_length(30, widest), zoe.stepped_extra_length(100, widest))),
-                      json_of(gain),
-                      "From " + metres(zoe.extra_length(30, widest)) + " to " + metres(zoe.extra_length(100, widest)) +
-                          " of extra length."});
+    claims.push_back(
+        {"zoe-100-changes", "4.3", "Going from 30 to 100 direction changes shortens the ZOE's slot by 0.02 m.", "m",
+         0.02, on_grid_json(difference(zoe.stepped_extra_length(30, widest), zoe.stepped_extra_length(100, widest))),
+         json_of(gain),
+         "From " + metres(zoe.extra_length(30, widest)) + " to " + metres(zoe.extra_length(100, widest)) +
+             " of extra length."});
     claim_about(1, "corsa-40cm", "The Corsa parks in a slot 0.4 m longer than itself with 10 direction changes.", 10);
     claim_about(2, "transporter-40cm",
                 "The transporter needs 30 direction changes in a slot 0.4 m longer than itself, as the ZOE does.", 30);
@@ -443,7 +445,8 @@ void add_little_gained(std::vector<Claim>& claims, const Evidence& evidence, Wor
                                                   .value_or(0.0));
     }
     claims.push_back({"beyond-25cm-width", "appendix",
-                      "More than 0.25 m of extra width does not shorten the ZOE's slot.", "m", 0.0, lost_stepped, lost,
+                      "More than 0.25 m of extra width does not shorten the ZOE's slot.", "m", 0.0,
+                      on_grid(lost_stepped), lost,
                       std::abs(lost) < grids.length_step / 2.0
                           ? "The most gained at any count is " + metres(lost) + "."
                           : "True once the car may change direction (at most " + metres(lost_with_changes) +
@@ -461,7 +464,7 @@ void add_little_gained(std::vector<Claim>& claims, const Evidence& evidence, Wor
                       true, Json(), base && wider && longer && *base - *longer > *base - *wider,
                       "A slot 0.5 m longer and 0.25 m wider than the ZOE takes " + count(base) +
                           " changes; 0.1 m more width leave " + count(wider) + ", 0.1 m more length " + count(longer) +
-                          ". In slots much narrower than that it is the width that decides."});
+                          "."});
 }
 
 void add_shapes(std::vector<Claim>& claims, const Evidence& evidence, Work& work) {

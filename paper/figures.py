@@ -165,22 +165,22 @@ def entries_and_goals(folder):
     entries = sorted((p for p in points if p["position"] == "entry"), key=lambda p: p["heading"])
     gap = max(range(1, len(entries)), key=lambda i: entries[i]["heading"] - entries[i - 1]["heading"])
     axes.text(-0.6, 1.5, "entry positions", color="#a86500", fontsize=8.5)
-    axes.text(-2.4, -1.0, "goal positions", color="#00734f", ha="center", fontsize=8.5)
+    axes.text(-2.1, -1.55, "goal positions", color="#00734f", ha="center", fontsize=8.5)
     # The two subranges differ by less than the lines are wide: the rear-left corners again, enlarged.
     zoom = axes.inset_axes([0.03, 0.62, 0.30, 0.34])
     for entry in entries:
         corners = [(entry[f"{c}_x"], entry[f"{c}_y"]) for c in ("front_left", "rear_left", "rear_right")]
         zoom.plot(*zip(*corners), color=ENTRY, linewidth=1)
     xs, ys = zip(*[(entry["rear_left_x"], entry["rear_left_y"]) for entry in entries])
-    zoom.set_xlim(min(xs) - 0.03, max(xs) + 0.15)
+    zoom.set_xlim(min(xs) - 0.14, max(xs) + 0.08)
     zoom.set_ylim(min(ys) - 0.03, max(ys) + 0.03)
     zoom.set_xticks([])
     zoom.set_yticks([])
     zoom.grid(False)
     for first, last in ((0, gap - 1), (gap, len(entries) - 1)):
-        zoom.text(max(xs) + 0.157, (ys[first] + ys[last]) / 2,
+        zoom.text(min(xs) - 0.012, (ys[first] + ys[last]) / 2,
                   f"{entries[first]['heading']:.4f} to\n{entries[last]['heading']:.4f} rad", color="#a86500", fontsize=7.5,
-                  va="center")
+                  ha="right", va="center")
     axes.indicate_inset_zoom(zoom, edgecolor=FAINT)
     return figure
 
