@@ -62,9 +62,9 @@ bool stays_positive(const Sample& left, const Sample& right, double width) {
         if (meet > 0.0 && meet < width) return left.value + fall * meet > 0.0;
     }
     if (least > 2.0 * (std::abs(change) + gentle)) return true;
-    if (left.slope > 0.0 && right.slope < 0.0) return steep <= 4.0 * least;
-    const double straight = 0.5 * (left.slope + right.slope) * width;
-    return std::abs(change - straight) <= 0.5 * std::abs(change);
+    if (left.slope > 0.0 && right.slope < 0.0) return steep <= least;
+    const double bent = std::abs(change - 0.5 * (left.slope + right.slope) * width);
+    return bent <= std::max(0.25 * least, 0.05 * std::abs(change));
 }
 
 Sample negated(const Sample& sample) { return {-sample.value, -sample.slope}; }
