@@ -48,13 +48,14 @@ struct Sample {
 
 /// May one trust that a function that is positive at both ends of an interval stays so in between? Yes if it is far from
 /// zero for how much it moves, if it plainly rises or falls, or if its tangents, made four times as steep, meet above
-/// zero.
-/// (Beyond a jump slopes are infinite, so straight lines alone would not do.)
-bool stays_positive(const Sample& left, const Sample& right, double width) {
+/// zero. (Beyond a jump slopes are infinite, so straight lines alone would not do.) With a kink between, where another
+/// slope begins, it must be far from zero for the steeper of the slopes known.
+bool stays_positive(const Sample& left, const Sample& right, double width, bool smooth) {
     const double change = right.value - left.value;
     const double gentle = std::min(std::abs(left.slope), std::abs(right.slope)) * width;
     const double steep = std::max(std::abs(left.slope), std::abs(right.slope)) * width;
     const double least = std::min(left.value, right.value);
+    if (!smooth) return left.value + right.value > 2.0 * steep;
     if (left.slope < 0.0 && right.slope > 0.0) {
         const double fall = 4.0 * left.slope;
         const double rise = 4.0 * right.slope;
@@ -178,6 +179,7 @@ private:
         for (std::size_t n = 0; n < moves; ++n) {
             const FullMove& a = move(left, n);
             const FullMove& b = move(right, n);
+            const bool smooth = a.meets == b.meets && a.quarter == b.quarter;
             if (a.graze[0] * b.graze[0] < 0.0) return split_at_root(left, right, n, first_graze);
             if (a.graze[1] * b.graze[1] < 0.0) return split_at_root(left, right, n, second_graze);
             if (jump_between(a, b)) {
@@ -188,15 +190,16 @@ private:
             for (const auto graze : {first_graze, second_graze}) {
                 const Sample at_a = graze(a);
                 const Sample at_b = graze(b);
-                if ((at_a.value > 0.0 && at_b.value > 0.0 && !stays_positive(at_a, at_b, width)) ||
-                    (at_a.value < 0.0 && at_b.value < 0.0 && !stays_positive(negated(at_a), negated(at_b), width)))
+                if ((at_a.value > 0.0 && at_b.value > 0.0 && !stays_positive(at_a, at_b, width, smooth)) ||
+                    (at_a.value < 0.0 && at_b.value < 0.0 &&
+                     !stays_positive(negated(at_a), negated(at_b), width, smooth)))
                     return split_within(left, right, at_a, at_b);
             }
             if ((a.depth <= 0.0) != (b.depth <= 0.0)) return split_at_root(left, right, n, depth);
             const bool parked = a.depth <= 0.0;
             const Sample at_a = parked ? negated(depth(a)) : depth(a);
             const Sample at_b = parked ? negated(depth(b)) : depth(b);
-            if (!stays_positive(at_a, at_b, width)) return split_within(left, right, at_a, at_b);
+            if (!stays_positive(at_a, at_b, width, smooth)) return split_within(left, right, at_a, at_b);
             if (parked) break;
             const double steepest = std::max(std::abs(a.depth_slope), std::abs(b.depth_slope));
             if (!(std::abs(a.depth - b.depth) <= 4.0 * steepest * width + 1e-12 * steering_.problem.length))
