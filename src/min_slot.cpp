@@ -1,105 +1,242 @@
-// A slot's smallest length is where the least depth over all headings and moves becomes zero: a root, found by halving an
-// interval whose one end parks and whose other end does not.
+// A slot is as small as can be where the least depth over all headings and moves becomes zero. That is a root, and is
+// found as one: from a slot that parks and a heading that shows it,
+//   - shrink the slot until that heading only just parks, turn the heading to where the slot can be smaller still, and
+//     so on: that takes single runs of the strategy,
+//   - then look at all headings in a slot smaller by the resolution. Does none park, the root is found; otherwise
+//     begin again from the heading that does, and look further down the next time.
 //
-// Nobody has proved that a longer slot is never harder for this strategy. So before an answer is given, lengths below it
-// are tried, ever closer to it; whatever parks there becomes the new upper end.
+// Nobody has proved that a larger slot is never harder for this strategy. So before an answer is given, smaller sizes
+// are tried, thirty times farther away each time; should one park, the search goes on from there.
 #include "snug/min_slot.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 #include "check.hpp"
 #include "entering.hpp"
 #include "heading_ranges.hpp"
+#include "smallest_slot.hpp"
 
 namespace snug {
 
+namespace detail {
+
 namespace {
 
-using namespace detail;
+constexpr double resolution = 5e-8;            ///< of answers [m]
+constexpr double farther = 30.0;               ///< each guard than the one before
+constexpr double fine = 1e-9;                  ///< of roots for one heading [m]
+constexpr double beside = 2.0 * one_subrange;  ///< how far a stretch must reach to be seen by two runs [rad]
 
-constexpr double resolution = 5e-8;  ///< [m]
+class SlotSearch {
+public:
+    SlotSearch(const Car& car, Sought sought, double given, const MinSlotOptions& options)
+        : car_(car), sought_(sought), given_(given), options_(options) {
+        const bool length = sought == Sought::length;
+        least_ = length ? car.length() + 2.0 * options.clearance : car.width() + options.clearance;
+        most_ = least_ + (length ? options.longest : options.widest);
+        const double needed = length ? car.width() + options.clearance : car.length() + 2.0 * options.clearance;
+        hopeless_ = given < needed;
+    }
+
+    /// The smallest size for this many changes, not less than asked for the last time. `heading` may come close.
+    std::optional<MinSlot> smallest(int max_changes, std::optional<double> heading) {
+        if (hopeless_) return std::nullopt;
+        changes_ = max_changes;
+        if (!found_) {
+            const std::optional<double> any = parks(most_);
+            if (!any) return std::nullopt;
+            found_ = Found{most_, *any};
+        }
+        if (heading && any_range_will_do() && parks_around(steering(found_->size), *heading))
+            found_ = Found{smallest_for(*heading, least_, found_->size), *heading};
+        descend(least_);
+        for (double away = farther * resolution; found_->size - away > least_; away *= farther) {
+            const double size = found_->size - away;
+            const std::optional<double> heading = parks(size);
+            if (!heading) continue;
+            found_ = Found{size, *heading};
+            descend(least_);
+            away = resolution;
+        }
+        return answer();
+    }
+
+private:
+    struct Found {
+        double size;
+        double heading;
+    };
+
+    [[nodiscard]] FullSteering steering(double size) const {
+        const bool length = sought_ == Sought::length;
+        const Slot slot({.length = length ? size : given_, .width = length ? given_ : size});
+        return FullSteering(entering_problem(car_, slot, options_.enter, options_.clearance));
+    }
+
+    [[nodiscard]] bool any_range_will_do() const { return options_.min_range <= resolvable_range; }
+
+    /// Looks at all headings: one that parks, in the middle of the widest stretch if `middle`, else any.
+    [[nodiscard]] std::optional<double> parks(double size, bool middle = false) const {
+        const FullSteering at = steering(size);
+        if (any_range_will_do() && !middle) {
+            const std::vector<CountedHeadings> shown = heading_ranges(at, changes_, Find::any);
+            if (shown.empty()) return std::nullopt;
+            if (parks_around(at, shown.front().min)) return shown.front().min;
+        }
+        const std::vector<CountedHeadings> ranges = heading_ranges(at, changes_, Find::all);
+        std::optional<double> heading;
+        double widest = 0.0;
+        for (const Stretch& stretch : stretches(ranges, changes_, std::max(options_.min_range, resolvable_range))) {
+            const double min = ranges[stretch.first].min;
+            const double width = ranges[stretch.last].max - min;
+            if (heading && width < widest) continue;
+            widest = width;
+            heading = min + width / 2.0;
+        }
+        return heading;
+    }
+
+    /// How far from parked the car stays in all moves allowed, the least D_n [m]: at most 0 if the heading parks.
+    [[nodiscard]] double miss(const FullSteering& at, double heading) const {
+        double least = std::numeric_limits<double>::infinity();
+        bool possible = false;
+        for (const Headings& headings : possible_headings(at.problem))
+            possible = possible || (heading >= headings.min && heading <= headings.max);
+        if (!possible) return least;
+        FullSteeringRun run(at, heading);
+        bool stuck = false;
+        for (int n = 0; n <= changes_; ++n) {
+            const FullMove move = run.drive<false>();
+            least = std::min(least, move.depth);
+            if (least <= 0.0 || move.meets == Meets::nothing || (stuck && move.stuck)) break;
+            stuck = move.stuck;
+        }
+        return least;
+    }
+
+    /// Does the heading park, and a neighbour with it?
+    [[nodiscard]] bool parks_around(const FullSteering& at, double heading) const {
+        return miss(at, heading) <= 0.0 && (miss(at, heading + beside) <= 0.0 || miss(at, heading - beside) <= 0.0);
+    }
+
+    /// From the size found to one just above a root: nothing smaller by the resolution parks.
+    void descend(double fails) {
+        double down = resolution;
+        while (found_->size - fails > resolution) {
+            if (any_range_will_do()) polish(fails);
+            const double half = (found_->size - fails) / 2.0;
+            const bool narrowed = fails > least_ && !any_range_will_do();
+            const double size = found_->size - (narrowed || down > half ? half : down);
+            if (const std::optional<double> heading = parks(size)) {
+                found_ = Found{size, *heading};
+                down *= 32.0;
+            } else {
+                if (found_->size - size <= resolution) return;
+                fails = size;
+                down = resolution;
+            }
+        }
+    }
+
+    /// Makes the slot smaller around the heading found, as far as single runs can see: turns the heading in growing,
+    /// then in shrinking steps wherever that allows a smaller slot.
+    void polish(double fails) {
+        found_->size = smallest_for(found_->heading, fails, found_->size);
+        for (double step = 1e-6; step > beside;) step *= turn(step, fails) || turn(-step, fails) ? 4.0 : 0.3;
+    }
+
+    bool turn(double by, double fails) {
+        const double heading = found_->heading + by;
+        const double smaller = found_->size - fine;
+        if (smaller <= fails || !parks_around(steering(smaller), heading)) return false;
+        found_ = Found{smallest_for(heading, fails, smaller), heading};
+        return true;
+    }
+
+    /// The smallest size, as far as one sees, in which this heading parks.
+    [[nodiscard]] double smallest_for(double heading, double fails, double works) const {
+        double low = fails;
+        double high = works;
+        double at_low = miss(steering(low), heading);
+        double at_high = miss(steering(high), heading);
+        const double start = works;
+        for (int i = 0; i < 80 && high - low > fine; ++i) {
+            double middle = low + (high - low) / 2.0;
+            const double secant = high - at_high * (high - low) / (at_high - at_low);
+            if (i % 3 != 2 && secant > low && secant < high)
+                middle = std::clamp(secant, low + fine / 2, high - fine / 2);
+            const double there = miss(steering(middle), heading);
+            if (there <= 0.0) {
+                high = middle;
+                at_high = there;
+                at_low /= 2.0;
+            } else {
+                low = middle;
+                at_low = there;
+                at_high /= 2.0;
+            }
+        }
+        return parks_around(steering(high), heading) ? high : start;
+    }
+
+    /// With the heading in the middle of what parks, in a slot in which looking at all headings finds it.
+    [[nodiscard]] MinSlot answer() {
+        double size = found_->size;
+        std::optional<double> heading = parks(size, true);
+        for (double more = fine; !heading && more < resolution; more *= 4.0) {
+            size = found_->size + more;
+            heading = parks(size, true);
+        }
+        if (!heading) heading = found_->heading;
+        return sought_ == Sought::length ? MinSlot{size, given_, *heading} : MinSlot{given_, size, *heading};
+    }
+
+    const Car& car_;
+    Sought sought_;
+    double given_;
+    const MinSlotOptions& options_;
+    double least_ = 0.0;     ///< what holds the car [m]
+    double most_ = 0.0;      ///< where the search begins [m]
+    bool hopeless_ = false;  ///< the given dimension does not hold the car
+    int changes_ = 0;
+    std::optional<Found> found_;  ///< a slot that parks
+};
 
 void check(const MinSlotOptions& options) {
-    detail::check(MaxSteerOptions{options.max_changes, options.clearance, options.enter});
     check_between("smallest range", options.min_range, 0.0, 1.5707963267948966, " rad");
     check_between("extra length to search", options.longest, 0.0, 1e6, " m");
     check_between("extra width to search", options.widest, 0.0, 1e6, " m");
 }
 
-/// The middle of the widest stretch of headings that park in the slot, if there is any.
-std::optional<double> parks(const Car& car, double length, double width, const MinSlotOptions& options) {
-    const Slot slot({.length = length, .width = width});
-    const FullSteering steering(entering_problem(car, slot, options.enter, options.clearance));
-    const double stretch_width = std::max(options.min_range, resolvable_range);
-    const bool any = options.min_range <= resolvable_range;
-    std::vector<CountedHeadings> ranges = heading_ranges(steering, options.max_changes, any ? Find::any : Find::all);
-    if (any && !ranges.empty() && stretches(ranges, options.max_changes, stretch_width).empty())
-        ranges = heading_ranges(steering, options.max_changes, Find::all);  // what showed first was too thin to tell
-    std::optional<double> middle;
-    double widest = 0.0;
-    for (const Stretch& stretch : stretches(ranges, options.max_changes, stretch_width)) {
-        const double min = ranges[stretch.first].min;
-        const double max = ranges[stretch.last].max;
-        if (max - min < widest) continue;
-        widest = max - min;
-        middle = min + (max - min) / 2.0;
-    }
-    return middle;
-}
-
-/// The smallest value in (low, high] for which `parks_with` gives a heading.
-template <class ParksWith>
-std::optional<std::pair<double, double>> smallest(double low, double high, ParksWith parks_with) {
-    std::optional<double> heading = parks_with(high);
-    if (!heading) return std::nullopt;
-    const auto halve = [&](double below) {
-        while (high - below > resolution) {
-            const double middle = below + (high - below) / 2.0;
-            if (const std::optional<double> found = parks_with(middle)) {
-                high = middle;
-                heading = found;
-            } else {
-                below = middle;
-            }
-        }
-    };
-    halve(low);
-    for (double below = high - low; below > 4.0 * resolution; below *= 0.6) {
-        const double tried = high - below;
-        if (tried <= low) continue;
-        const std::optional<double> found = parks_with(tried);
-        if (!found) continue;
-        high = tried;
-        heading = found;
-        halve(low);
-        below = high - low;
-    }
-    return std::pair{high, *heading};
-}
-
 }  // namespace
 
-std::optional<MinSlot> min_length(const Car& car, double width, const MinSlotOptions& options) {
+std::vector<std::optional<MinSlot>> smallest_slots(const Car& car, Sought sought, double given,
+                                                   const std::vector<int>& max_changes, const MinSlotOptions& options,
+                                                   const std::vector<std::optional<MinSlot>>& neighbours) {
     check(options);
-    check_between("slot width", width, 1e-6, 1e6, " m");
-    if (width < car.width() + options.clearance) return std::nullopt;
-    const double least = car.length() + 2.0 * options.clearance;
-    const auto found =
-        smallest(least, least + options.longest, [&](double length) { return parks(car, length, width, options); });
-    if (!found) return std::nullopt;
-    return MinSlot{found->first, width, found->second};
+    check_between(sought == Sought::length ? "slot width" : "slot length", given, 1e-6, 1e6, " m");
+    for (const int changes : max_changes) check(MaxSteerOptions{changes, options.clearance, options.enter});
+    SlotSearch search(car, sought, given, options);
+    std::vector<std::optional<MinSlot>> slots;
+    for (std::size_t i = 0; i < max_changes.size(); ++i) {
+        std::optional<double> heading;
+        if (i < neighbours.size() && neighbours[i]) heading = neighbours[i]->entry_heading;
+        slots.push_back(search.smallest(max_changes[i], heading));
+    }
+    return slots;
+}
+
+}  // namespace detail
+
+std::optional<MinSlot> min_length(const Car& car, double width, const MinSlotOptions& options) {
+    return detail::smallest_slots(car, detail::Sought::length, width, {options.max_changes}, options).front();
 }
 
 std::optional<MinSlot> min_width(const Car& car, double length, const MinSlotOptions& options) {
-    check(options);
-    check_between("slot length", length, 1e-6, 1e6, " m");
-    if (length < car.length() + 2.0 * options.clearance) return std::nullopt;
-    const double least = car.width() + options.clearance;
-    const auto found =
-        smallest(least, least + options.widest, [&](double width) { return parks(car, length, width, options); });
-    if (!found) return std::nullopt;
-    return MinSlot{length, found->first, found->second};
+    return detail::smallest_slots(car, detail::Sought::width, length, {options.max_changes}, options).front();
 }
 
 }  // namespace snug

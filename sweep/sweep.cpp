@@ -1,17 +1,25 @@
-// Minimum slots for many widths (or lengths) and counts at once, every one a task of its own. Tasks share nothing, so
-// answers do not depend on the number of threads.
+// Minimum slots for many widths (or lengths) and counts at once. All counts of a few neighbouring widths are one task: the
+// answer for one count is where the search for the next begins, and headings that do for one width are tried for the
+// next. Tasks share nothing, so answers do not depend on the number of threads.
 #include "snug/sweep.hpp"
 
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <mutex>
+#include <numeric>
+#include <set>
+
+#include "smallest_slot.hpp"
 
 namespace snug {
 
 namespace {
+
+constexpr std::size_t per_task = 4;
 
 /// Counts finished tasks and passes on what the asker says to that.
 class Progress {
@@ -37,22 +45,34 @@ private:
     bool cancelled_ = false;
 };
 
-using Question = std::optional<MinSlot> (*)(const Car&, double, const MinSlotOptions&);
-
-std::vector<MinSlotRow> sweep_over(Question question, const Car& car, const std::vector<double>& given,
+std::vector<MinSlotRow> sweep_over(detail::Sought sought, const Car& car, const std::vector<double>& given,
                                    const std::vector<int>& max_changes, const MinSlotOptions& options,
                                    const SweepOptions& sweep) {
+    const std::set<int> counts(max_changes.begin(), max_changes.end());
+    const std::vector<int> rising(counts.begin(), counts.end());
+    std::vector<std::size_t> columns(given.size());
+    std::iota(columns.begin(), columns.end(), std::size_t{0});
+    std::stable_sort(columns.begin(), columns.end(), [&](std::size_t a, std::size_t b) { return given[a] < given[b]; });
+
     std::vector<MinSlotRow> rows(given.size() * max_changes.size());
     tbb::task_group_context work;
-    Progress progress(sweep.progress, rows.size(), work);
-    const auto answer = [&](std::size_t i) {
-        MinSlotOptions one = options;
-        one.max_changes = max_changes[i / given.size()];
-        rows[i] = {one.max_changes, given[i % given.size()], question(car, given[i % given.size()], one)};
-        progress.finished_one();
+    Progress progress(sweep.progress, given.size(), work);
+    const auto answer_some = [&](std::size_t task) {
+        std::vector<std::optional<MinSlot>> slots;
+        for (std::size_t i = task * per_task; i < std::min((task + 1) * per_task, columns.size()); ++i) {
+            if (work.is_group_execution_cancelled()) return;
+            const std::size_t column = columns[i];
+            slots = detail::smallest_slots(car, sought, given[column], rising, options, slots);
+            for (std::size_t k = 0; k < max_changes.size(); ++k) {
+                const auto at = std::lower_bound(rising.begin(), rising.end(), max_changes[k]) - rising.begin();
+                rows[k * given.size() + column] = {max_changes[k], given[column], slots[static_cast<std::size_t>(at)]};
+            }
+            progress.finished_one();
+        }
     };
+    const std::size_t tasks = (given.size() + per_task - 1) / per_task;
     tbb::task_arena arena(sweep.threads > 0 ? sweep.threads : tbb::task_arena::automatic);
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, rows.size(), answer, tbb::simple_partitioner{}, work); });
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, tasks, answer_some, tbb::simple_partitioner{}, work); });
     if (progress.cancelled()) rows.clear();
     return rows;
 }
@@ -62,13 +82,13 @@ std::vector<MinSlotRow> sweep_over(Question question, const Car& car, const std:
 std::vector<MinSlotRow> min_lengths(const Car& car, const std::vector<double>& widths,
                                     const std::vector<int>& max_changes, const MinSlotOptions& options,
                                     const SweepOptions& sweep) {
-    return sweep_over(min_length, car, widths, max_changes, options, sweep);
+    return sweep_over(detail::Sought::length, car, widths, max_changes, options, sweep);
 }
 
 std::vector<MinSlotRow> min_widths(const Car& car, const std::vector<double>& lengths,
                                    const std::vector<int>& max_changes, const MinSlotOptions& options,
                                    const SweepOptions& sweep) {
-    return sweep_over(min_width, car, lengths, max_changes, options, sweep);
+    return sweep_over(detail::Sought::width, car, lengths, max_changes, options, sweep);
 }
 
 }  // namespace snug
