@@ -41,8 +41,9 @@ public:
         hopeless_ = given < needed;
     }
 
-    /// The smallest size for this many changes, not less than asked for the last time. `heading` may come close.
-    std::optional<MinSlot> smallest(int max_changes, std::optional<double> heading) {
+    /// The smallest size for this many changes, not less than asked for the last time. `nearby` may come close to an
+    /// entry heading.
+    std::optional<MinSlot> smallest(int max_changes, std::optional<double> nearby) {
         if (hopeless_) return std::nullopt;
         changes_ = max_changes;
         if (!found_) {
@@ -50,8 +51,8 @@ public:
             if (!any) return std::nullopt;
             found_ = Found{most_, *any};
         }
-        if (heading && any_range_will_do() && parks_around(steering(found_->size), *heading))
-            found_ = Found{smallest_for(*heading, least_, found_->size), *heading};
+        if (nearby && any_range_will_do() && parks_around(steering(found_->size), *nearby))
+            found_ = Found{smallest_for(*nearby, least_, found_->size), *nearby};
         descend(least_);
         for (double away = farther * resolution; found_->size - away > least_; away *= farther) {
             const double size = found_->size - away;

@@ -9,17 +9,28 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <numeric>
 #include <set>
 
+#include "check.hpp"
 #include "smallest_slot.hpp"
+#include "snug/entry.hpp"
 
 namespace snug {
 
 namespace {
 
-constexpr std::size_t per_task = 4;
+/// The middle of the widest range with the fewest changes.
+double middle_of_best(const EntryAnswer& answer) {
+    HeadingRange widest;
+    for (const HeadingRange& range : answer.ranges) {
+        if (range.direction_changes == *answer.direction_changes && range.max - range.min >= widest.max - widest.min)
+            widest = range;
+    }
+    return widest.min + (widest.max - widest.min) / 2.0;
+}
 
 /// Counts finished tasks and passes on what the asker says to that.
 class Progress {
@@ -45,9 +56,13 @@ private:
     bool cancelled_ = false;
 };
 
-std::vector<MinSlotRow> sweep_over(detail::Sought sought, const Car& car, const std::vector<double>& given,
-                                   const std::vector<int>& max_changes, const MinSlotOptions& options,
-                                   const SweepOptions& sweep) {
+using Slots = std::vector<std::optional<MinSlot>>;
+
+/// The smallest slots for rising counts at one width (or length), given those of a neighbour or none.
+using Answer = std::function<Slots(double given, const std::vector<int>& rising, const Slots& neighbours)>;
+
+std::vector<MinSlotRow> sweep_over(const std::vector<double>& given, const std::vector<int>& max_changes,
+                                   std::size_t per_task, const SweepOptions& sweep, const Answer& answer) {
     const std::set<int> counts(max_changes.begin(), max_changes.end());
     const std::vector<int> rising(counts.begin(), counts.end());
     std::vector<std::size_t> columns(given.size());
@@ -58,11 +73,11 @@ std::vector<MinSlotRow> sweep_over(detail::Sought sought, const Car& car, const 
     tbb::task_group_context work;
     Progress progress(sweep.progress, given.size(), work);
     const auto answer_some = [&](std::size_t task) {
-        std::vector<std::optional<MinSlot>> slots;
+        Slots slots;
         for (std::size_t i = task * per_task; i < std::min((task + 1) * per_task, columns.size()); ++i) {
             if (work.is_group_execution_cancelled()) return;
             const std::size_t column = columns[i];
-            slots = detail::smallest_slots(car, sought, given[column], rising, options, slots);
+            slots = answer(given[column], rising, slots);
             for (std::size_t k = 0; k < max_changes.size(); ++k) {
                 const auto at = std::lower_bound(rising.begin(), rising.end(), max_changes[k]) - rising.begin();
                 rows[k * given.size() + column] = {max_changes[k], given[column], slots[static_cast<std::size_t>(at)]};
@@ -77,18 +92,73 @@ std::vector<MinSlotRow> sweep_over(detail::Sought sought, const Car& car, const 
     return rows;
 }
 
+std::vector<MinSlotRow> exactly(detail::Sought sought, const Car& car, const std::vector<double>& given,
+                                const std::vector<int>& max_changes, const MinSlotOptions& options,
+                                const SweepOptions& sweep) {
+    constexpr std::size_t neighbours_in_a_task = 4;
+    return sweep_over(given, max_changes, neighbours_in_a_task, sweep,
+                      [&](double size, const std::vector<int>& rising, const Slots& neighbours) {
+                          return detail::smallest_slots(car, sought, size, rising, options, neighbours);
+                      });
+}
+
+/// Algorithm 1 in larger and larger slots, until the smallest count is enough.
+Slots slots_by_stepping(detail::Sought sought, const Car& car, double given, const std::vector<int>& rising,
+                        const Stepping& stepping, double step, const MinSlotOptions& options) {
+    EntryOptions question;
+    question.min_range = options.min_range;
+    question.clearance = options.clearance;
+    question.enter = options.enter;
+    question.strategy = stepping;
+    const bool length = sought == detail::Sought::length;
+    const double least = length ? car.length() + 2.0 * options.clearance : car.width() + options.clearance;
+    const double most = least + (length ? options.longest : options.widest) + 1e-9;
+    Slots slots(rising.size());
+    std::size_t open = rising.size();  // counts without a slot yet, the smaller ones
+    for (double i = 0.0; open > 0 && least + i * step <= most; ++i) {
+        const double size = least + i * step;
+        const Slot slot({.length = length ? size : given, .width = length ? given : size});
+        question.max_changes = rising[open - 1];
+        const EntryAnswer found = entry(car, slot, question);
+        for (; open > 0 && found.direction_changes && *found.direction_changes <= rising[open - 1]; --open)
+            slots[open - 1] = MinSlot{slot.length(), slot.width(), middle_of_best(found)};
+    }
+    return slots;
+}
+
+std::vector<MinSlotRow> by_stepping(detail::Sought sought, const Car& car, const std::vector<double>& given,
+                                    const std::vector<int>& max_changes, const Stepping& stepping, double step,
+                                    const MinSlotOptions& options, const SweepOptions& sweep) {
+    check_between(sought == detail::Sought::length ? "length step" : "width step", step, 1e-6, 1e6, " m");
+    return sweep_over(given, max_changes, 1, sweep, [&](double size, const std::vector<int>& rising, const Slots&) {
+        return slots_by_stepping(sought, car, size, rising, stepping, step, options);
+    });
+}
+
 }  // namespace
 
 std::vector<MinSlotRow> min_lengths(const Car& car, const std::vector<double>& widths,
                                     const std::vector<int>& max_changes, const MinSlotOptions& options,
                                     const SweepOptions& sweep) {
-    return sweep_over(detail::Sought::length, car, widths, max_changes, options, sweep);
+    return exactly(detail::Sought::length, car, widths, max_changes, options, sweep);
 }
 
 std::vector<MinSlotRow> min_widths(const Car& car, const std::vector<double>& lengths,
                                    const std::vector<int>& max_changes, const MinSlotOptions& options,
                                    const SweepOptions& sweep) {
-    return sweep_over(detail::Sought::width, car, lengths, max_changes, options, sweep);
+    return exactly(detail::Sought::width, car, lengths, max_changes, options, sweep);
+}
+
+std::vector<MinSlotRow> min_lengths_by_stepping(const Car& car, const std::vector<double>& widths,
+                                                const std::vector<int>& max_changes, const Stepping& stepping,
+                                                double step, const MinSlotOptions& options, const SweepOptions& sweep) {
+    return by_stepping(detail::Sought::length, car, widths, max_changes, stepping, step, options, sweep);
+}
+
+std::vector<MinSlotRow> min_widths_by_stepping(const Car& car, const std::vector<double>& lengths,
+                                               const std::vector<int>& max_changes, const Stepping& stepping,
+                                               double step, const MinSlotOptions& options, const SweepOptions& sweep) {
+    return by_stepping(detail::Sought::width, car, lengths, max_changes, stepping, step, options, sweep);
 }
 
 }  // namespace snug

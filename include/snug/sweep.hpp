@@ -7,6 +7,7 @@
 
 #include "snug/car.hpp"
 #include "snug/min_slot.hpp"
+#include "snug/stepping.hpp"
 
 namespace snug {
 
@@ -24,7 +25,8 @@ struct MinSlotRow {
 };
 
 /// min_length() for every width and every maximum of direction changes, row by row as given: counts outside, widths
-/// inside. `options.max_changes` is not looked at. Empty when the progress callback gave up.
+/// inside. `options.max_changes` is not looked at. Empty when the progress callback gave up. Throws Error when an option
+/// is impossible.
 std::vector<MinSlotRow> min_lengths(const Car& car, const std::vector<double>& widths,
                                     const std::vector<int>& max_changes, const MinSlotOptions& options = {},
                                     const SweepOptions& sweep = {});
@@ -33,5 +35,19 @@ std::vector<MinSlotRow> min_lengths(const Car& car, const std::vector<double>& w
 std::vector<MinSlotRow> min_widths(const Car& car, const std::vector<double>& lengths,
                                    const std::vector<int>& max_changes, const MinSlotOptions& options = {},
                                    const SweepOptions& sweep = {});
+
+/// The paper's own loop (section 3.3): slots longer and longer by `step` [m] from the car's length on, Algorithm 1 in each.
+/// The first that parks is the row's slot; its entry heading is the middle of the widest best range. The reference for
+/// min_lengths(), thousands of times slower.
+std::vector<MinSlotRow> min_lengths_by_stepping(const Car& car, const std::vector<double>& widths,
+                                                const std::vector<int>& max_changes, const Stepping& stepping,
+                                                double step, const MinSlotOptions& options = {},
+                                                const SweepOptions& sweep = {});
+
+/// The same for min_widths().
+std::vector<MinSlotRow> min_widths_by_stepping(const Car& car, const std::vector<double>& lengths,
+                                               const std::vector<int>& max_changes, const Stepping& stepping,
+                                               double step, const MinSlotOptions& options = {},
+                                               const SweepOptions& sweep = {});
 
 }  // namespace snug
