@@ -221,7 +221,7 @@ TEST(Laws, OneRunOfTheStrategyIsWhatTheOracleDrives) {
     const int runs = 100 * cases();
     Case asked;
     for (int i = 0; i < runs; ++i) {
-        if (i % 100 == 0) asked = random_case(seed + 8, std::uint64_t(i / 100));
+        if (i % 20 == 0) asked = random_case(seed + 8, std::uint64_t(i / 20));
         Random random(std::uint64_t(i) + 1);
         const double heading = random.chance(0.1) ? random.between(0, 1.57) : random.between(0, 0.7);
         snug::MaxSteerOptions options;
@@ -237,7 +237,8 @@ TEST(Laws, OneRunOfTheStrategyIsWhatTheOracleDrives) {
         // A last twitch of less than 1e-12 m before being stuck is rounding.
         while (exact.outcome == snug::Outcome::stuck && !exact.legs.empty() && exact.legs.back().length < 1e-12L)
             exact.legs.pop_back();
-        bool close = exact.graze < 1e-11L;
+        const bool twitching = exact.outcome == snug::Outcome::too_many_changes && exact.legs.back().length < 1e-12L;
+        bool close = exact.graze < 1e-11L || twitching;
         for (const auto& leg : exact.legs) close = close || std::abs(leg.drive.least_top) < 1e-11L;
         if (close) {
             ++brink;
