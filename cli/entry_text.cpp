@@ -5,6 +5,7 @@
 
 #include "cli/entry.hpp"
 #include "cli/table.hpp"
+#include "cli/words.hpp"
 
 namespace snug::cli {
 namespace {
@@ -15,10 +16,6 @@ constexpr std::size_t most_ranges = 20;
 using Rows = std::vector<std::vector<std::string>>;
 
 std::string metres(double length) { return fixed(length, 3) + " m"; }
-
-std::string changes(int count) {
-    return count == 0 ? "no direction change" : std::to_string(count) + " direction change" + (count == 1 ? "" : "s");
-}
 
 /// Enough decimals to tell the ends of a range of headings apart. [rad] in, decimals of degrees out
 int decimals(double width) {
@@ -35,8 +32,6 @@ std::string neighbour(Obstacle obstacle) {
     }
     return "curb";
 }
-
-std::string name(const Car& car) { return car.name().empty() ? "The car" : car.name(); }
 
 std::string slot_words(const Slot& slot) {
     return "the " + fixed(slot.length(), 3) + " x " + metres(slot.width()) + " slot on the " +
@@ -77,19 +72,12 @@ double off_parallel(const Slot& slot, const Pose& pose) {
     return std::remainder(slot.to_slot(pose).heading, 2.0 * std::numbers::pi) / degree;
 }
 
-std::string too_small(const EntryQuestion& question, const Shortfall& lacking) {
-    std::string how = lacking.length > 0.0 ? metres(lacking.length) + " too short" : "";
-    how += lacking.length > 0.0 && lacking.width > 0.0 ? " and " : "";
-    how += lacking.width > 0.0 ? metres(lacking.width) + " too narrow" : "";
-    return "the slot is " + how + " for the car" + (question.options.clearance > 0.0 ? " with its clearance" : "");
-}
-
 std::string refusal(const EntryQuestion& question) {
     const EntryOptions& options = question.options;
-    const Shortfall lacking = shortfall(question.car, question.slot, options.clearance);
+    const std::string lacking = words(shortfall(question.car, question.slot, options.clearance));
     std::string why;
-    if (lacking.length > 0.0 || lacking.width > 0.0) {
-        why = too_small(question, lacking);
+    if (!lacking.empty()) {
+        why = "the slot is " + lacking + " for the car" + (options.clearance > 0.0 ? " with its clearance" : "");
     } else if (options.min_range > 0.0) {
         why = "no stretch of entry headings at least " +
               fixed(options.min_range / degree, decimals(options.min_range)) + " deg wide\nparks with " +

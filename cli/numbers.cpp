@@ -11,7 +11,7 @@
 namespace snug::cli {
 namespace {
 
-constexpr double most_numbers = 1e6;
+constexpr double most_numbers = 1e7;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -72,7 +72,8 @@ std::vector<std::string> split(const std::string& text, char at) {
     }
 }
 
-std::vector<double> range(const std::string& option, const std::string& text, const Quantity& quantity) {
+/// Appends the numbers of from:to:step.
+void add_range(const std::string& option, const std::string& text, const Quantity& quantity, std::vector<double>& all) {
     const std::vector<std::string> parts = split(text, ':');
     if (parts.size() != 3) {
         throw Error(option + ": " + in_quotes(text) + " is no range; write from:to:step, for example 1.8:2.4:0.01");
@@ -84,18 +85,16 @@ std::vector<double> range(const std::string& option, const std::string& text, co
         throw Error(option + ": " + in_quotes(text) + " goes nowhere; write from:to:step with from <= to and step > 0");
     }
     const double steps = (to - from) / step;
-    if (!(steps < most_numbers)) {
-        throw Error(option + ": " + in_quotes(text) + " has more than a million numbers; take a larger step");
+    if (!(static_cast<double>(all.size()) + steps < most_numbers)) {
+        throw Error(option + ": " + in_quotes(text) + " has more than ten million numbers; take a larger step");
     }
     const double scale = std::pow(10.0, std::max(decimals(parts[0]), decimals(parts[2])));
-    std::vector<double> all;
     for (int i = 0; i + 1e-9 < steps; ++i) {
         const double value = from + i * step;
         const double tidy = std::round(value * scale) / scale;
         all.push_back(std::isfinite(tidy) && std::abs(tidy - value) < 1e-6 * step ? tidy : value);
     }
     all.push_back(to);
-    return all;
 }
 
 }  // namespace
@@ -131,14 +130,13 @@ int whole_number(const std::string& option, const std::string& text, int low, in
 }
 
 std::vector<double> numbers(const std::string& option, const std::string& text, const Quantity& quantity) {
-    if (text.find(':') != text.npos) {
-        return range(option, text, quantity);
-    }
-    const std::vector<std::string> parts = split(text, ',');
     std::vector<double> all;
-    all.reserve(parts.size());
-    for (const std::string& part : parts) {
-        all.push_back(number(option, part, quantity));
+    for (const std::string& part : split(text, ',')) {
+        if (part.find(':') == part.npos) {
+            all.push_back(number(option, part, quantity));
+        } else {
+            add_range(option, part, quantity, all);
+        }
     }
     return all;
 }

@@ -1,4 +1,4 @@
-// Numbers as people type them on the command line: one number, a list `a,b,c` or a range `from:to:step`.
+// Numbers as people type them on the command line: a list `a,b,c` of numbers and of ranges `from:to:step`.
 #pragma once
 
 #include <string>
@@ -19,7 +19,8 @@ struct Quantity {
 double number(const std::string& option, const std::string& text, const Quantity& quantity);
 int whole_number(const std::string& option, const std::string& text, int low, int high);
 
-/// "a,b,c", or "from:to:step" with both ends; a last step that would pass `to` ends there. At most a million numbers.
+/// "a,b,c", each a number or "from:to:step" with both ends; a last step that would pass `to` ends there. At most ten
+/// million numbers.
 std::vector<double> numbers(const std::string& option, const std::string& text, const Quantity& quantity);
 
 /// The position among the words of the one that was typed.

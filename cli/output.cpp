@@ -13,6 +13,7 @@
 #include <cstring>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include "snug/error.hpp"
 #include "spelling.hpp"
@@ -97,11 +98,6 @@ int open_temporary(const std::string& folder) {
     return descriptor;
 }
 
-int write_and_close(int descriptor, std::string_view bytes) {
-    const int error = write_all(descriptor, bytes);
-    return close(descriptor) != 0 && error == 0 ? errno : error;
-}
-
 }  // namespace
 
 void prepare_process() {
@@ -158,38 +154,65 @@ void check_writable(const std::string& option, const std::string& path) {
     }
 }
 
-void write_file(const std::string& option, const std::string& path, std::string_view bytes) {
+FileInParts::FileInParts(const std::string& option, const std::string& path) : option_(option), path_(path) {
     check_writable(option, path);
     struct stat status = {};
     const bool exists = stat(path.c_str(), &status) == 0;
     if (exists && !S_ISREG(status.st_mode)) {
-        const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-        const int error = descriptor < 0 ? errno : write_and_close(descriptor, bytes);
-        if (error != 0) {
-            throw cannot_write(option, path, error);
-        }
-        return;
+        descriptor_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    } else {
+        target_ = target_of(path);
+        descriptor_ = open_temporary(folder_of(target_));
     }
-    const std::string target = target_of(path);
-    const int descriptor = open_temporary(folder_of(target));
-    if (descriptor < 0) {
+    if (descriptor_ < 0) {
         throw cannot_write(option, path, errno);
     }
-    int error = fchmod(descriptor, exists ? status.st_mode & 07777 : usual_mode()) != 0 ? errno : 0;
-    const int write_error = write_and_close(descriptor, bytes);
-    error = error != 0 ? error : write_error;
-
-    const SignalsHeld held;
-    if (error == 0 && std::rename(temporary, target.c_str()) != 0) {
-        error = errno;
+    if (!target_.empty() && fchmod(descriptor_, exists ? status.st_mode & 07777 : usual_mode()) != 0) {
+        fail(errno);
     }
-    if (error != 0) {
-        unlink(temporary);
+}
+
+FileInParts::~FileInParts() { abandon(); }
+
+void FileInParts::write(std::string_view bytes) {
+    if (const int error = write_all(descriptor_, bytes); error != 0) {
+        fail(error);
+    }
+}
+
+void FileInParts::finish() {
+    if (close(std::exchange(descriptor_, -1)) != 0) {
+        fail(errno);
+    }
+    const SignalsHeld held;
+    if (!target_.empty() && std::rename(temporary, target_.c_str()) != 0) {
+        fail(errno);
     }
     temporary_exists = 0;
-    if (error != 0) {
-        throw cannot_write(option, path, error);
+    target_.clear();
+}
+
+void FileInParts::abandon() {
+    if (descriptor_ >= 0) {
+        close(std::exchange(descriptor_, -1));
     }
+    const SignalsHeld held;
+    if (!target_.empty()) {
+        unlink(temporary);
+        temporary_exists = 0;
+        target_.clear();
+    }
+}
+
+void FileInParts::fail(int error) {
+    abandon();
+    throw cannot_write(option_, path_, error);
+}
+
+void write_file(const std::string& option, const std::string& path, std::string_view bytes) {
+    FileInParts file(option, path);
+    file.write(bytes);
+    file.finish();
 }
 
 void put_out(const std::string& path, std::string_view answer) {

@@ -19,8 +19,29 @@ void complain(std::string_view text);
 /// Throws Error, beginning with the option, when a file cannot be written there: said before the work, not after it.
 void check_writable(const std::string& option, const std::string& path);
 
-/// Writes a temporary file next to `path` and renames it when it is complete; devices and pipes are written directly.
-/// Throws Error, beginning with the option, and leaves nothing behind.
+/// A file written in parts: a temporary file next to `path` that takes its name when it is complete; devices and pipes are
+/// written directly. Whatever fails throws Error, beginning with the option, and leaves nothing behind. One at a time.
+class FileInParts {
+public:
+    FileInParts(const std::string& option, const std::string& path);
+    ~FileInParts();  ///< without finish(), nothing remains
+    FileInParts(const FileInParts&) = delete;
+    FileInParts& operator=(const FileInParts&) = delete;
+
+    void write(std::string_view bytes);
+    void finish();
+
+private:
+    void abandon();
+    [[noreturn]] void fail(int error);
+
+    std::string option_;
+    std::string path_;
+    std::string target_;  ///< what the temporary file becomes; empty when there is none
+    int descriptor_ = -1;
+};
+
+/// All of it at once.
 void write_file(const std::string& option, const std::string& path, std::string_view bytes);
 
 /// The answer of a command: to the file of `-o`, or to standard output when `path` is empty.

@@ -5,8 +5,8 @@
 
 namespace snug::cli {
 
-/// A progress callback that shows the part done, from half a second on and ten times a second at most; empty when
-/// standard error is no terminal.
+/// A progress callback that shows the part done and the time left, from half a second on and ten times a second at most;
+/// empty when standard error is no terminal.
 std::function<bool(double)> show_progress();
 
 /// Wipes it away again.

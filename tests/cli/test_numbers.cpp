@@ -22,6 +22,7 @@ TEST(Numbers, RangesHoldBothEnds) {
     EXPECT_EQ(numbers("--width", "2:2:1", metres), (std::vector<double>{2.0}));
     EXPECT_EQ(numbers("--width", "0:1:0.4", metres), (std::vector<double>{0.0, 0.4, 0.8, 1.0}));
     EXPECT_EQ(numbers("--width", "-1:1:1", metres), (std::vector<double>{-1.0, 0.0, 1.0}));
+    EXPECT_EQ(numbers("--width", "0:2:1,5,7:8:1", metres), (std::vector<double>{0.0, 1.0, 2.0, 5.0, 7.0, 8.0}));
 }
 
 TEST(Numbers, RangesOfHundredthsAreHundredths) {
@@ -43,9 +44,9 @@ TEST(Numbers, FineRangesKeepTheirSteps) {
 }
 
 TEST(Numbers, EverythingElseIsRefusedWithTheOption) {
-    for (const char* text : {"",           ",",       "1,",     ",1",      "1,,2",    "1:2",     "1:2:",
-                             ":2:1",       "1:2:0",   "1:2:-1", "2:1:1",   "1:2:1:3", "1:2:nan", "1:2:1e-300",
-                             "0:100:1e-9", "1,2:3:1", "101",    "1:101:1", "1;2",     "1 2",     " 1"}) {
+    for (const char* text : {"",           ",",     "1,",     ",1",      "1,,2",    "1:2",     "1:2:",
+                             ":2:1",       "1:2:0", "1:2:-1", "2:1:1",   "1:2:1:3", "1:2:nan", "1:2:1e-300",
+                             "0:100:1e-9", "1,2:3", "101",    "1:101:1", "1;2",     "1 2",     " 1"}) {
         try {
             static_cast<void>(numbers("--width", text, metres));
             ADD_FAILURE() << "accepted: " << text;

@@ -1,0 +1,39 @@
+// What `snug min-slot` is asked, and how its answer reads.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "snug/entry.hpp"
+#include "snug/sweep.hpp"
+
+namespace snug::cli {
+
+/// Which of the slot's dimensions is given; the other is sought.
+enum class Given { width, length };
+
+/// The minimum slots for some given widths (or lengths), counts inside, as a table with a column for every count. At most
+/// 80 columns.
+std::string min_slot_table(Given given, const std::vector<MinSlotRow>& rows, std::size_t counts);
+
+/// One slot, and what others would need that differ from it a little.
+struct OneSlot {
+    Car car;
+    double length = 0.0;
+    double width = 0.0;
+    std::optional<int> changes;  ///< the fewest; empty when there are none
+    int most_changes = 0;        ///< tried
+    Shortfall lacking;           ///< to hold the car at all
+
+    struct Variation {
+        double by = 0.0;             ///< whole millimetres [m]
+        std::string how;             ///< "shorter", "wider"
+        std::optional<int> changes;  ///< what that slot needs
+    };
+    std::vector<Variation> variations;  ///< the least that make a difference
+};
+
+std::string one_slot_text(const OneSlot& slot);
+
+}  // namespace snug::cli

@@ -1,0 +1,20 @@
+// Words that answers share.
+#pragma once
+
+#include <string>
+
+#include "snug/car.hpp"
+#include "snug/entry.hpp"
+
+namespace snug::cli {
+
+/// "no direction change", "1 direction change", "2 direction changes"
+std::string changes(int count);
+
+/// The car's name, or "The car".
+std::string name(const Car& car);
+
+/// "0.100 m too short and 0.020 m too narrow"; empty when nothing is lacking.
+std::string words(const Shortfall& lacking);
+
+}  // namespace snug::cli
