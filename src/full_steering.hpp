@@ -40,6 +40,8 @@ struct FullMove {
     /// behind the front corner of the slot the lowest corner sinks below the entry side [m]; NaN where it does not.
     double tail_clears = std::numeric_limits<double>::quiet_NaN();
     double nose_clears = std::numeric_limits<double>::quiet_NaN();
+    double tail_slope = 0.0;  ///< their slopes
+    double nose_slope = 0.0;
 };
 
 /// The car between two moves (or at its entry position).
@@ -144,12 +146,18 @@ private:
         const double tail_across = -std::sqrt((tail.radius - along) * (tail.radius + along));
         const double tail_s = (tail_across * tail.x - along * tail.y) * tail.per_square;
         const double tail_c = (along * tail.x + tail_across * tail.y) * tail.per_square;
-        if (tail_s >= 0.0 && tail_c >= 0.0) move.tail_clears = y_ + tail.x * tail_s + tail.y * tail_c;
+        if (tail_s >= 0.0 && tail_c >= 0.0) {
+            move.tail_clears = y_ + tail_across;
+            move.tail_slope = y_slope_ + x_slope_ * along / tail_across;
+        }
         const TurningCorner& nose = frame.lowest;
         const double nose_along = std::sqrt((nose.radius - y_) * (nose.radius + y_));
         const double nose_s = (-y_ * nose.x - nose_along * nose.y) * nose.per_square;
         const double nose_c = (nose_along * nose.x - y_ * nose.y) * nose.per_square;
-        if (nose_s >= 0.0 && nose_c >= 0.0) move.nose_clears = nose.x * nose_c - nose.y * nose_s + x_;
+        if (nose_s >= 0.0 && nose_c >= 0.0) {
+            move.nose_clears = x_ + nose_along;
+            move.nose_slope = x_slope_ - y_slope_ * y_ / nose_along;
+        }
     }
 
     void turn_over(const QuarterHeading& now) {

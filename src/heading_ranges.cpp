@@ -21,7 +21,7 @@ namespace snug::detail {
 namespace {
 
 constexpr double quarter_turn = 1.57079632679489661923;
-constexpr double unknown_slope = std::numeric_limits<double>::quiet_NaN();
+constexpr double least_gap = 2e-14;  ///< between the two sides of a root; beyond rounding, short of any range [rad]
 constexpr std::size_t most_moves = 300'000'000;
 constexpr int never = std::numeric_limits<int>::max();
 
@@ -100,7 +100,9 @@ private:
     void search(const Headings& headings) {
         constexpr int cells = 48;
         moves_.clear();
+        moves_.reserve(1024);
         std::vector<Run> grid;
+        grid.reserve(cells + 1);
         for (int i = 0; i <= cells; ++i) {
             const double part = static_cast<double>(i) / cells;
             grid.push_back(follow(headings.min + (headings.max - headings.min) * part, limit_));
@@ -160,8 +162,8 @@ private:
     [[nodiscard]] static Sample first_graze(const FullMove& move) { return {move.graze[0], move.graze_slope}; }
     [[nodiscard]] static Sample second_graze(const FullMove& move) { return {move.graze[1], move.graze_slope}; }
 
-    [[nodiscard]] static Sample tail_clears(const FullMove& move) { return {move.tail_clears, unknown_slope}; }
-    [[nodiscard]] static Sample nose_clears(const FullMove& move) { return {move.nose_clears, unknown_slope}; }
+    [[nodiscard]] static Sample tail_clears(const FullMove& move) { return {move.tail_clears, move.tail_slope}; }
+    [[nodiscard]] static Sample nose_clears(const FullMove& move) { return {move.nose_clears, move.nose_slope}; }
 
     /// Splits the interval until its ends tell all.
     void explore(const Run& left, const Run& right) {
@@ -237,8 +239,8 @@ private:
         split(left, right, part);
     }
 
-    /// Splits at the root of a quantity of move n, up to neighbouring doubles. Newton from the better end, stepping
-    /// twice as far so that the root comes to lie between; bisection where that does not help.
+    /// Splits at the root of a quantity of move n, as close as rounding lets it be told. Newton from the better end, each
+    /// step a thousandth longer so that the root comes to lie between; bisection where that does not help.
     template <class Quantity>
     void split_at_root(const Run& left, const Run& right, std::size_t n, Quantity quantity) {
         const std::size_t mark = moves_.size();
@@ -247,18 +249,18 @@ private:
         Sample at_a = quantity(move(left, n));
         Sample at_b = quantity(move(right, n));
         const bool left_is_out = at_a.value > 0.0;
-        const double resolution = 2.0 * std::numeric_limits<double>::epsilon() * std::max(b, 1e-3);
-        for (int i = 0; i < 200 && b - a > resolution; ++i) {
+        double two_ago = 16.0 * (b - a);
+        double one_ago = two_ago;
+        for (int i = 0; i < 200 && b - a > least_gap; ++i) {
             const double width = b - a;
-            double next = a + 0.5 * width;
             const bool from_a = std::abs(at_a.value) < std::abs(at_b.value);
             const Sample& best = from_a ? at_a : at_b;
-            const double slope = std::isnan(best.slope) ? (at_b.value - at_a.value) / width : best.slope;
-            const double step = -best.value / slope;
-            const double overshoot = step * (i % 3 == 0 ? 1.0 : 2.0);
-            const double guess =
-                (from_a ? a : b) + (std::abs(overshoot) > resolution ? overshoot : std::copysign(resolution, step));
-            if (i % 8 != 7 && guess > a && guess < b) next = guess;
+            const double step = -best.value / best.slope;
+            const double longer = step + std::copysign(std::max(1e-3 * std::abs(step), 0.4 * least_gap), step);
+            double next = (from_a ? a : b) + longer;
+            if (!(next > a && next < b) || width > 0.25 * two_ago) next = a + 0.5 * width;
+            two_ago = one_ago;
+            one_ago = width;
             if (next <= a || next >= b) break;
             const Run run = follow_to(next, n);
             const Sample value = quantity(move(run, n));

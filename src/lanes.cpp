@@ -194,12 +194,14 @@ public:
             const Real across = on_the_left ? hn::Neg(root) : root;
             const Real s = (across * corner.x - along * corner.y) * corner.per_square;
             const Real c = (along * corner.x + across * corner.y) * corner.per_square;
-            const Mask exists = y + corner.x * s + corner.y * c <= zero;  // false where there is no root
+            const Real height = y + corner.x * s + corner.y * c;
             const Real start_x = turned_x(corner);
             const Real start_y = turned_y(corner);
             const Mask closes_in =
                 hn::And(hn::Abs(along - start_x) <= touch, on_the_left ? start_y < zero : start_y > zero);
             const Mask slips_off = hn::And(y + start_y >= zero - touch, start_x <= zero);
+            const Mask lifted = hn::And(height <= touch, hn::AndNot(slips_off, closes_in));
+            const Mask exists = hn::Or(height <= zero, lifted);  // false where there is no root
             first.consider(c, s, exists, closes_in, slips_off);
         };
         const Mask never = zero > zero;

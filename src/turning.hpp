@@ -204,13 +204,17 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
         const double across = sign * std::sqrt(square);
         const double s = (across * corner.x - along * corner.y) * corner.per_square;
         const double c = (along * corner.x + across * corner.y) * corner.per_square;
-        if (!(y + corner.x * s + corner.y * c <= 0.0)) return;
-        consider(c, s, across, meets, [&] {
+        const double height = y + corner.x * s + corner.y * c;
+        if (!(height <= problem.touch)) return;
+        const auto at_start = [&] {
             const double start_x = corner.x * start_c - corner.y * start_s;
             const double start_y = corner.x * start_s + corner.y * start_c;
             if (std::abs(along - start_x) > problem.touch || sign * start_y <= 0.0) return AtStart::apart;
             return y + start_y >= -problem.touch && start_x <= 0.0 ? AtStart::slips_off : AtStart::touches;
-        });
+        };
+        // Rounding may have lifted a corner that touches above the wall's end.
+        if (height > 0.0 && at_start() != AtStart::touches) return;
+        consider(c, s, across, meets, at_start);
     };
     // The lowest corner meets level ground: the curb, or a neighbour it comes down upon.
     const auto corner_meets_ground = [&](double ground, Meets meets) {
