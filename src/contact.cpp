@@ -84,9 +84,12 @@ Meeting first_met_straight(const PlainMove& move, const TurningFrame& frames) {
     consider(-right.x, dx, Meets::front_side, beside(right));
     consider(left.x + problem.length, -dx, Meets::rear_side, beside(left));
     consider(low.y + problem.width, -dy, Meets::curb, [](double) { return true; });
-    consider(low.y, -dy, Meets::front_top, [&](double distance) { return low.x + dx * distance > problem.touch; });
+    const auto lands = [&problem](double beyond_end, double speed) {
+        return beyond_end > problem.touch || (beyond_end >= -problem.touch && speed > 0.0);
+    };
+    consider(low.y, -dy, Meets::front_top, [&](double distance) { return lands(low.x + dx * distance, dx); });
     consider(low.y, -dy, Meets::rear_top,
-             [&](double distance) { return low.x + dx * distance < -problem.length - problem.touch; });
+             [&](double distance) { return lands(-problem.length - low.x - dx * distance, -dx); });
 
     const auto seen = [&](double x) {  // a slot corner at (x, 0) seen from the car
         const double gx = x - move.start.x;

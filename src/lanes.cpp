@@ -210,21 +210,26 @@ public:
             const Real along = hn::Sqrt((lowest.radius - across) * (lowest.radius + across));
             const Real s = (across * lowest.x - along * lowest.y) * lowest.per_square;
             const Real c = (along * lowest.x + across * lowest.y) * lowest.per_square;
-            const Mask exists = is_there(along >= zero, c, s);
             const Mask closes_in = hn::And(hn::Abs(turned_y(lowest) - across) <= touch, turned_x(lowest) > zero);
+            const Mask exists = is_there(along >= zero, c, s, closes_in);
             first.consider(c, s, exists, closes_in, never);
         };
 
         corner_meets_side(rightmost, zero, std::false_type());
         corner_meets_side(leftmost, zero - length, std::true_type());
-        corner_meets_ground(zero - width, [](Mask exists, Real, Real) HWY_ATTR { return exists; });
+        corner_meets_ground(zero - width, [](Mask exists, Real, Real, Mask) HWY_ATTR { return exists; });
         const Mask high = y + lowest.x * start_s + lowest.y * start_c > zero - touch;
         if (HWY_UNLIKELY(!hn::AllFalse(reals, high))) {
-            const auto lands_at = [&](Real c, Real s) HWY_ATTR { return x + lowest.x * c - lowest.y * s; };
-            corner_meets_ground(zero, [&](Mask exists, Real c, Real s)
-                                          HWY_ATTR { return hn::And(hn::And(high, exists), lands_at(c, s) > touch); });
-            corner_meets_ground(zero, [&](Mask exists, Real c, Real s) HWY_ATTR {
-                return hn::And(hn::And(high, exists), lands_at(c, s) < zero - length - touch);
+            const auto lands = [&](Mask exists, Real beyond_end, Mask moves_onto) HWY_ATTR {
+                const Mask onto = hn::Or(beyond_end > touch, hn::And(beyond_end >= zero - touch, moves_onto));
+                return hn::And(hn::And(high, exists), onto);
+            };
+            const auto where = [&](Real c, Real s) HWY_ATTR { return x + lowest.x * c - lowest.y * s; };
+            corner_meets_ground(zero, [&](Mask exists, Real c, Real s, Mask closes_in) HWY_ATTR {
+                return lands(exists, where(c, s), hn::And(closes_in, turned_y(lowest) > zero));
+            });
+            corner_meets_ground(zero, [&](Mask exists, Real c, Real s, Mask closes_in) HWY_ATTR {
+                return lands(exists, zero - length - where(c, s), hn::And(closes_in, turned_y(lowest) < zero));
             });
         }
         {

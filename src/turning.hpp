@@ -226,13 +226,19 @@ inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double
         const double s = (across * corner.x - along * corner.y) * corner.per_square;
         const double c = (along * corner.x + across * corner.y) * corner.per_square;
         const double where = x + corner.x * c - corner.y * s;
-        if (meets == Meets::front_top && !(where > problem.touch)) return;
-        if (meets == Meets::rear_top && !(where < -problem.length - problem.touch)) return;
-        consider(c, s, along, meets, [&] {
-            const double gap = corner.x * start_s + corner.y * start_c - across;
-            const bool sinks = corner.x * start_c - corner.y * start_s > 0.0;
-            return std::abs(gap) <= problem.touch && sinks ? AtStart::touches : AtStart::apart;
-        });
+        const double beyond_end = meets == Meets::front_top  ? where
+                                  : meets == Meets::rear_top ? -problem.length - where
+                                                             : std::numeric_limits<double>::infinity();
+        if (!(beyond_end >= -problem.touch)) return;
+        const auto at_start = [&] {
+            const double start_x = corner.x * start_c - corner.y * start_s;
+            const double start_y = corner.x * start_s + corner.y * start_c;
+            if (std::abs(start_y - across) > problem.touch || start_x <= 0.0) return AtStart::apart;
+            const bool moves_onto = meets == Meets::front_top ? start_y > 0.0 : start_y < 0.0;
+            return beyond_end > problem.touch || moves_onto ? AtStart::touches : AtStart::apart;
+        };
+        if (beyond_end <= problem.touch && at_start() != AtStart::touches) return;
+        consider(c, s, along, meets, at_start);
     };
 
     corner_meets_side(frame.rightmost, 0.0, 1.0, Meets::front_side);

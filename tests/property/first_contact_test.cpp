@@ -185,6 +185,35 @@ TEST(FirstContact, AgreesWithTheClosedFormWhenTheCarTouchesAlready) {
     EXPECT_GT(seen.contacts, questions / 10);
 }
 
+TEST(FirstContact, ACornerExactlyOnASlotsCornerStopsTheCarOnlyWhereItWouldMoveIn) {
+    int stopped = 0, free = 0;
+    for (int i = 0; i < snug::test::sample(20000, 1000000); ++i) {
+        auto question = anywhere(34, i);
+        if (!question) continue;
+        Random random(std::uint64_t(i) + 99);
+        if (random.chance(0.5)) question->asked.car.max_steer = random.between(0.5, 1.5);  // turns within its own width
+        const Case& asked = question->asked;
+        question->place = {0, 0, random.between(-3.2, 3.2)};
+        const Vec<double> corner = corners_at(question->problem.grown, question->place)[std::size_t(random.below(4))];
+        question->place.x = (random.chance(0.5) ? -asked.slot.length : 0.0) - corner.x;
+        question->place.y = -corner.y;
+        if (depth(question->problem.grown, question->place, question->problem.gap) > 1e-12) continue;
+        choose_move(random, *question);
+        const double just_after = depth(question->problem.grown, question->path().at(1e-6), question->problem.gap);
+        if (std::abs(just_after) < 1e-8) continue;  // along an edge
+        const double distance = question->answer().distance;
+        if (just_after > 0) {
+            ++stopped;
+            EXPECT_LT(distance, 1e-8) << question->text();
+        } else {
+            ++free;
+            EXPECT_GT(distance, 1e-6) << question->text();
+        }
+    }
+    std::printf("%d stopped, %d moving away\n", stopped, free);
+    EXPECT_GT(std::min(stopped, free), snug::test::sample(20000, 1000000) / 50);
+}
+
 TEST(FirstContact, AgreesWithTinySteps) {
     int contacts = 0, insides = 0;
     const int questions = snug::test::sample(100, 10000);
