@@ -339,7 +339,7 @@ Action parse_min_slot(const Arguments& arguments) {
     options.add("--extra-width", "RANGE", "Widths beyond the car's [m].");
     options.add("--extra-length", "RANGE", "Lengths beyond the car's [m].");
     options.add("--max-length", "M", "No longer slots [m] (4 m more than the car's length).");
-    options.add("--min-range", "RAD", "Entry headings must hold a stretch that wide [rad] (0).");
+    options.add("--min-range", "RAD", "Entry headings must hold a stretch that wide [rad]\n(0).");
     add_driving(options);
     options.group("Strategy");
     options.add("--strategy", "NAME",
