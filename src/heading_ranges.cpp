@@ -55,7 +55,10 @@ bool stays_positive(const Sample& left, const Sample& right, double width, bool 
     const double gentle = std::min(std::abs(left.slope), std::abs(right.slope)) * width;
     const double steep = std::max(std::abs(left.slope), std::abs(right.slope)) * width;
     const double least = std::min(left.value, right.value);
-    if (!smooth) return left.value + right.value > 2.0 * steep;
+    if (!smooth) {
+        const double falls = std::min(left.value + 2.0 * left.slope * width, right.value - 2.0 * right.slope * width);
+        return falls > 0.0 && left.value + right.value > 2.0 * steep;
+    }
     if (left.slope < 0.0 && right.slope > 0.0) {
         const double fall = 4.0 * left.slope;
         const double rise = 4.0 * right.slope;
@@ -195,13 +198,13 @@ private:
                 if ((at_a.value > 0.0 && at_b.value > 0.0 && !stays_positive(at_a, at_b, width, smooth)) ||
                     (at_a.value < 0.0 && at_b.value < 0.0 &&
                      !stays_positive(negated(at_a), negated(at_b), width, smooth)))
-                    return split_within(left, right, at_a, at_b);
+                    return split_within(left, right, at_a, at_b, smooth);
             }
             if ((a.depth <= 0.0) != (b.depth <= 0.0)) return split_at_root(left, right, n, depth);
             const bool parked = a.depth <= 0.0;
             const Sample at_a = parked ? negated(depth(a)) : depth(a);
             const Sample at_b = parked ? negated(depth(b)) : depth(b);
-            if (!stays_positive(at_a, at_b, width, smooth)) return split_within(left, right, at_a, at_b);
+            if (!stays_positive(at_a, at_b, width, smooth)) return split_within(left, right, at_a, at_b, smooth);
             if (parked) break;
             const double steepest = std::max(std::abs(a.depth_slope), std::abs(b.depth_slope));
             if (!(std::abs(a.depth - b.depth) <= 4.0 * steepest * width + 1e-12 * steering_.problem.length))
@@ -231,11 +234,16 @@ private:
         moves_.resize(mark);
     }
 
-    /// At the lowest point of a parabola with these slopes, or else nearer to the steeper end.
-    void split_within(const Run& left, const Run& right, const Sample& a, const Sample& b) {
+    /// Where the tangents meet if there may be a kink; at the lowest point of a parabola with these slopes; or else nearer
+    /// to the steeper end.
+    void split_within(const Run& left, const Run& right, const Sample& a, const Sample& b, bool smooth) {
         double part = std::abs(a.slope) > std::abs(b.slope) ? 0.3 : 0.7;
-        if (a.slope < 0.0 && b.slope > 0.0 && std::isfinite(a.slope) && std::isfinite(b.slope))
+        const double meet = ((b.value - a.value) / (right.heading - left.heading) - b.slope) / (a.slope - b.slope);
+        if (!smooth && meet > 0.0 && meet < 1.0) {
+            part = std::clamp(meet, 0.02, 0.98);
+        } else if (a.slope < 0.0 && b.slope > 0.0 && std::isfinite(a.slope) && std::isfinite(b.slope)) {
             part = std::clamp(a.slope / (a.slope - b.slope), 0.05, 0.95);
+        }
         split(left, right, part);
     }
 
