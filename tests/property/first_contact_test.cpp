@@ -67,7 +67,8 @@ void choose_move(Random& random, Question& question) {
     const double kind = random.unit();
     const double most = question.asked.car.max_steer;
     question.steering = kind < 0.2 ? 0.0 : kind < 0.6 ? random.between(-most, most) : random.chance(0.5) ? most : -most;
-    if (kind > 0.2 && kind < 0.25) question.steering *= 1e-4;
+    if (kind > 0.2 && kind < 0.25)
+        question.steering = std::copysign(1e-6, question.steering) + 1e-4 * question.steering;
     question.direction = random.chance(0.5) ? snug::Direction::forward : snug::Direction::backward;
 }
 
@@ -170,7 +171,7 @@ TEST(FirstContact, AgreesWithTheClosedFormWhenTheCarTouchesAlready) {
         auto question = anywhere(32, i);
         if (!question) continue;
         const Drive<double> first = drive(question->problem, question->path());
-        if (std::isinf(first.contact)) continue;
+        if (first.contact > 1e3) continue;
         question->place = question->path().at(first.contact);
         Random random(std::uint64_t(i) + 77);
         choose_move(random, *question);
@@ -199,6 +200,7 @@ TEST(FirstContact, ACornerExactlyOnASlotsCornerStopsTheCarOnlyWhereItWouldMoveIn
         question->place.y = -corner.y;
         if (depth(question->problem.grown, question->place, question->problem.gap) > 1e-12) continue;
         choose_move(random, *question);
+        if (question->steering != 0 && std::abs(question->steering) < 1e-4) continue;  // rounding: a circle of many km
         const double just_after = depth(question->problem.grown, question->path().at(1e-6), question->problem.gap);
         if (std::abs(just_after) < 1e-8) continue;  // along an edge
         const double distance = question->answer().distance;
