@@ -28,6 +28,7 @@ namespace {
 constexpr double resolution = 5e-8;            ///< of answers [m]
 constexpr double farther = 30.0;               ///< each guard than the one before
 constexpr double fine = 1e-9;                  ///< of roots for one heading [m]
+constexpr int most_turns = 40;                 ///< of a heading, before all are looked at again
 constexpr double beside = 2.0 * one_subrange;  ///< how far a stretch must reach to be seen by two runs [rad]
 
 class SlotSearch {
@@ -143,10 +144,13 @@ private:
     }
 
     /// Makes the slot smaller around the heading found, as far as single runs can see: turns the heading in growing,
-    /// then in shrinking steps wherever that allows a smaller slot.
+    /// then in shrinking steps wherever that allows a smaller slot. Where it would take many a small turn, looking at all
+    /// headings is quicker.
     void polish(double fails) {
         found_->size = smallest_for(found_->heading, fails, found_->size);
-        for (double step = 1e-6; step > beside;) step *= turn(step, fails) || turn(-step, fails) ? 4.0 : 0.3;
+        double step = 1e-6;
+        for (int i = 0; i < most_turns && step > beside; ++i)
+            step *= turn(step, fails) || turn(-step, fails) ? 4.0 : 0.3;
     }
 
     bool turn(double by, double fails) {

@@ -105,7 +105,7 @@ std::string attack_from_below(const MinSlotCase& asked, double fails, std::uint6
 
 TEST(MinSlot, AreLargeEnoughAndNoneSmallerIs) {
     std::atomic<int> answers{0};
-    attack_all(20, 400, 0, [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
+    attack_all(15, 400, 0, [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
         const std::optional<snug::MinSlot> slot = smallest(asked);
         if (!slot) return attack_from_below(asked, asked.least() + 4.0, index);
         ++answers;
