@@ -65,12 +65,12 @@ void attack_all(int usual, int full, std::uint64_t stream, const Attack& attack)
 /// A tenth of a millimetre more room, and a maneuver exists: driven by the oracle, and followed pose by pose.
 std::string attack_from_above(const MinSlotCase& asked, double size, double heading) {
     const double larger = size + tenth_of_a_millimetre;
-    // The headings that park move while the slot grows; they are few, and close to the one reported.
+    // The headings that park are few, and move a little while the slot grows.
     std::optional<double> entered;
-    for (double away = 0; away < 1e-3 && !entered; away += 1e-6) {
-        if (parks(asked, larger, heading + away)) entered = heading + away;
-        if (!entered && parks(asked, larger, heading - away)) entered = heading - away;
-    }
+    if (parks(asked, larger, heading)) entered = heading;
+    for (double away = 1e-10; away < 1e-3 && !entered; away *= 1.02)
+        for (const double beside : {heading - away, heading + away})
+            if (parks(asked, larger, beside)) entered = beside;
     if (!entered) return "no heading parks in a slot 0.1 mm larger near the one reported, " + asked.line(size);
     const Case sized = asked.in_slot_of(larger);
     const snug::Car car(sized.car, sized.car_name);
