@@ -5,8 +5,12 @@
 //   - then look at all headings in a slot smaller by the resolution. Does none park, the root is found; otherwise
 //     begin again from the heading that does, and look further down the next time.
 //
-// Nobody has proved that a larger slot is never harder for this strategy. So before an answer is given, smaller sizes
-// are tried, thirty times farther away each time; should one park, the search goes on from there.
+// A larger slot can be harder for this strategy: it drives on until contact, and what it meets farther back can be worse
+// than the neighbour it would have met. So the sizes that park may have gaps, and a root found from above need not be
+// the smallest one. Before an answer is given, smaller sizes are tried: close to it, thirty times farther away each
+// time, and all others in steps of a hundredth of a metre or so, the largest count first, for where that does not park
+// no smaller one does. What parks only between two such steps, or far below the root with more than 20 changes alone, is
+// missed.
 #include "snug/min_slot.hpp"
 
 #include <algorithm>
@@ -26,7 +30,10 @@ namespace detail {
 namespace {
 
 constexpr double resolution = 5e-8;            ///< of answers [m]
-constexpr double farther = 30.0;               ///< each guard than the one before
+constexpr double farther = 30.0;               ///< each size tried than the one before
+constexpr double stride = 0.0025;              ///< between sizes tried, times the car's length
+constexpr double growing = 0.025;              ///< and times what the size is more than the least
+constexpr int most_looked_for = 20;            ///< changes, far from a root: more take long to rule out
 constexpr double fine = 1e-9;                  ///< of roots for one heading [m]
 constexpr int most_turns = 40;                 ///< of a heading, before all are looked at again
 constexpr double beside = 2.0 * one_subrange;  ///< how far a stretch must reach to be seen by two runs [rad]
@@ -54,16 +61,31 @@ public:
         }
         if (nearby && any_range_will_do() && parks_around(steering(found_->size), *nearby))
             found_ = Found{smallest_for(*nearby, least_, found_->size), *nearby};
-        descend(least_);
-        for (double away = farther * resolution; found_->size - away > least_; away *= farther) {
-            const double size = found_->size - away;
-            const std::optional<double> heading = parks(size);
-            if (!heading) continue;
-            found_ = Found{size, *heading};
-            descend(least_);
-            away = resolution;
-        }
+        settle(least_);
         return answer();
+    }
+
+    /// The smallest size for this many changes, where nothing parks below `clear` and `known` is what smallest() said.
+    std::optional<MinSlot> smallest_above(double clear, int max_changes, const std::optional<MinSlot>& known) {
+        if (hopeless_) return std::nullopt;
+        changes_ = std::min(max_changes, most_looked_for);
+        const double end = known ? size_of(*known) : most_;
+        for (double fails = std::max(clear, least_);;) {
+            const double size = fails + std::max(stride * car_.length(), growing * (fails - least_));
+            if (!(size < end)) return known;
+            if (const std::optional<double> heading = parks(size)) {
+                changes_ = max_changes;
+                found_ = Found{size, *heading};
+                settle(fails);
+                return answer();
+            }
+            fails = size;
+        }
+    }
+
+    /// The one that is sought.
+    [[nodiscard]] double size_of(const MinSlot& slot) const {
+        return sought_ == Sought::length ? slot.length : slot.width;
     }
 
 private:
@@ -122,6 +144,20 @@ private:
     /// Does the heading park, and a neighbour with it?
     [[nodiscard]] bool parks_around(const FullSteering& at, double heading) const {
         return miss(at, heading) <= 0.0 && (miss(at, heading + beside) <= 0.0 || miss(at, heading - beside) <= 0.0);
+    }
+
+    /// From the size found to the smallest, as far as one sees without trying all that are larger than `fails`.
+    void settle(double fails) {
+        descend(fails);
+        for (double away = farther * resolution; away < stride * car_.length() && found_->size - away > fails;
+             away *= farther) {
+            const double size = found_->size - away;
+            const std::optional<double> heading = parks(size);
+            if (!heading) continue;
+            found_ = Found{size, *heading};
+            descend(fails);
+            away = resolution;
+        }
     }
 
     /// From the size found to one just above a root: nothing smaller by the resolution parks.
@@ -230,6 +266,11 @@ std::vector<std::optional<MinSlot>> smallest_slots(const Car& car, Sought sought
         std::optional<double> heading;
         if (i < neighbours.size() && neighbours[i]) heading = neighbours[i]->entry_heading;
         slots.push_back(search.smallest(max_changes[i], heading));
+    }
+    double clear = 0.0;
+    for (std::size_t i = max_changes.size(); i-- > 0;) {
+        slots[i] = search.smallest_above(clear, max_changes[i], slots[i]);
+        clear = slots[i] ? search.size_of(*slots[i]) : std::numeric_limits<double>::infinity();
     }
     return slots;
 }

@@ -44,11 +44,14 @@ struct MinSlotCase {
     }
 };
 
-/// Any car, any width (or length), mostly few changes.
-inline MinSlotCase random_min_slot_case(std::uint64_t seed, std::uint64_t index) {
+enum class Cars { any, of_the_paper };
+
+/// Any width (or length), mostly few changes.
+inline MinSlotCase random_min_slot_case(std::uint64_t seed, std::uint64_t index, Cars cars) {
     Random random(seed * 0x9E3779B97F4A7C15ULL + index * 0xBF58476D1CE4E5B9ULL + 7);
     MinSlotCase chosen;
-    choose_car(random, chosen.asked);
+    do choose_car(random, chosen.asked);
+    while (cars == Cars::of_the_paper && chosen.asked.car_name.empty());
     if (random.chance(0.1)) chosen.asked.enter = snug::Enter::forward;
     if (random.chance(0.1)) chosen.asked.clearance = random.between(0.005, 0.1);
     chosen.length_sought = random.chance(0.7);

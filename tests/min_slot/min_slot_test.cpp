@@ -44,14 +44,14 @@ double size_of(const MinSlotCase& asked, const snug::MinSlot& slot) {
 
 /// Runs `attack`, which answers with what is wrong, on random cases on all cores.
 template <class Attack>
-void attack_all(int usual, int full, std::uint64_t stream, const Attack& attack) {
+void attack_all(int usual, int full, Cars cars, std::uint64_t stream, const Attack& attack) {
     const std::uint64_t seed = number("SNUG_SEED", 1) + stream, first = number("SNUG_FIRST", 0);
     const std::uint64_t cases = number("SNUG_CASES", std::uint64_t(snug::test::sample(usual, full)));
     std::atomic<std::uint64_t> next{0};
     std::mutex mutex;
     const auto work = [&] {
         for (std::uint64_t i = next++; i < cases; i = next++) {
-            const std::string wrong = attack(random_min_slot_case(seed, first + i), first + i);
+            const std::string wrong = attack(random_min_slot_case(seed, first + i, cars), first + i);
             const std::lock_guard lock(mutex);
             if (!wrong.empty()) ADD_FAILURE() << "case " << first + i << ": " << wrong;
             if (i % 50 == 49) std::printf("%d of %d\n", int(i + 1), int(cases)), std::fflush(stdout);
@@ -62,26 +62,29 @@ void attack_all(int usual, int full, std::uint64_t stream, const Attack& attack)
     for (std::thread& thread : threads) thread.join();
 }
 
-/// A tenth of a millimetre more room, and a maneuver exists: driven by the oracle, and followed pose by pose.
-std::string attack_from_above(const MinSlotCase& asked, double size, double heading) {
-    const double larger = size + tenth_of_a_millimetre;
-    // The headings that park are few, and move a little while the slot grows.
-    std::optional<double> entered;
-    if (parks(asked, larger, heading)) entered = heading;
-    for (double away = 1e-10; away < 1e-3 && !entered; away *= 1.02)
-        for (const double beside : {heading - away, heading + away})
-            if (parks(asked, larger, beside)) entered = beside;
-    if (!entered) return "no heading parks in a slot 0.1 mm larger near the one reported, " + asked.line(size);
-    const Case sized = asked.in_slot_of(larger);
-    const snug::Car car(sized.car, sized.car_name);
-    const snug::MaxSteerRun run =
-        snug::max_steer(car, snug::Slot(sized.slot), *entered, {asked.max_changes, sized.clearance, sized.enter});
-    if (run.outcome != snug::Outcome::parked)
-        return "the solver does not drive what the oracle does, " + asked.line(size);
-    if (run.maneuver.direction_changes() > asked.max_changes) return "too many changes, " + asked.line(size);
-    for (const std::string& fault : faults(sized, run.maneuver, run.maneuver.direction_changes()))
-        return fault + ", " + asked.line(larger);
+/// A tenth of a millimetre more room, and a maneuver exists: driven by the oracle, and followed pose by pose. The solver
+/// only proposes it, for the headings that park are few, and move while the slot grows.
+std::string attack_from_above(const MinSlotCase& asked, double size) {
+    const Case sized = asked.in_slot_of(size + tenth_of_a_millimetre);
+    snug::EntryOptions options;
+    options.max_changes = asked.max_changes;
+    options.clearance = sized.clearance;
+    options.enter = sized.enter;
+    const snug::EntryAnswer answer = snug::entry(snug::Car(sized.car, sized.car_name), snug::Slot(sized.slot), options);
+    if (!answer.maneuver) return "no maneuver in a slot 0.1 mm larger, " + asked.line(size);
+    const double sign = sized.enter == snug::Enter::backward ? 1.0 : -1.0;
+    const double heading = sign * into_slot(sized.slot, answer.maneuver->entry()).heading;
+    if (!parks(asked, size + tenth_of_a_millimetre, heading))
+        return "the oracle does not park in a slot 0.1 mm larger, " + asked.line(size);
+    for (const std::string& fault : faults(sized, *answer.maneuver, *answer.direction_changes))
+        return fault + ", " + asked.line(size);
     return {};
+}
+
+/// The heading reported parks in the very slot reported, to the oracle's rounding.
+std::string attack_in_place(const MinSlotCase& asked, double size, double heading) {
+    const auto driven = run(asked.problem<long double>(size), static_cast<long double>(heading), asked.max_changes);
+    return driven.least_top <= 1e-12L ? "" : "the reported heading does not park, " + asked.line(size);
 }
 
 /// In no smaller slot does sampling find a heading that parks: just below densely, farther below sparsely.
@@ -105,19 +108,20 @@ std::string attack_from_below(const MinSlotCase& asked, double fails, std::uint6
 
 TEST(MinSlot, AreLargeEnoughAndNoneSmallerIs) {
     std::atomic<int> answers{0};
-    attack_all(15, 400, 0, [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
+    attack_all(15, 400, Cars::any, 0, [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
         const std::optional<snug::MinSlot> slot = smallest(asked);
         if (!slot) return attack_from_below(asked, asked.least() + 4.0, index);
         ++answers;
         const double size = size_of(asked, *slot);
-        if (std::string wrong = attack_from_above(asked, size, slot->entry_heading); !wrong.empty()) return wrong;
+        if (std::string wrong = attack_in_place(asked, size, slot->entry_heading); !wrong.empty()) return wrong;
+        if (std::string wrong = attack_from_above(asked, size); !wrong.empty()) return wrong;
         return attack_from_below(asked, size - tenth_of_a_millimetre, index);
     });
     std::printf("%d minima\n", answers.load());
 }
 
 TEST(MinSlot, WithRoomForADriverHoldAStretchAndNoneSmallerDoes) {
-    attack_all(15, 150, 1, [](MinSlotCase asked, std::uint64_t index) -> std::string {
+    attack_all(15, 150, Cars::any, 1, [](MinSlotCase asked, std::uint64_t index) -> std::string {
         asked.min_range = std::pow(10.0, Random(index).between(-3.5, -1.3));
         const std::optional<snug::MinSlot> slot = smallest(asked);
         const double size = slot ? size_of(asked, *slot) : asked.least() + 4.0;
@@ -141,8 +145,35 @@ TEST(MinSlot, WithRoomForADriverHoldAStretchAndNoneSmallerDoes) {
     });
 }
 
+// The fewest count falls with the room for the paper's cars, as far as anybody has seen. For others it does not:
+TEST(MinSlot, AreFoundWhereALongerSlotIsHarder) {
+    MinSlotCase asked;
+    asked.asked.car = {2.062, 4.504, 1.326, 3.650, 0.860};
+    asked.asked.slot.width = 2.43;
+    asked.max_changes = 2;
+    // Farther back the car meets the curb, where the rear neighbour would have stopped it in time.
+    EXPECT_FALSE(parking_heading(asked, 6.49, 1e-4, 0.5));
+    EXPECT_TRUE(parking_heading(asked, 6.52, 1e-4, 0.5));
+    EXPECT_FALSE(parking_heading(asked, 6.60, 1e-4, 0.5));
+    EXPECT_TRUE(parking_heading(asked, 6.70, 1e-4, 0.5));
+    const std::optional<snug::MinSlot> slot = smallest(asked);
+    ASSERT_TRUE(slot);
+    EXPECT_NEAR(slot->length, 6.50, 0.01);
+
+    // And a wider one is, for a car that turns on the spot, almost.
+    asked.asked.car = {2.352, 2.194, 1.246, 1.721, 0.9155};
+    asked.max_changes = 8;
+    asked.asked.slot.width = 2.7;
+    const std::optional<snug::MinSlot> narrow = smallest(asked);
+    asked.asked.slot.width = 3.2;
+    const std::optional<snug::MinSlot> wide = smallest(asked);
+    ASSERT_TRUE(narrow && wide);
+    EXPECT_GT(wide->length, narrow->length + 0.05);
+    EXPECT_FALSE(parking_heading(asked, wide->length - 0.05, 1e-4, 0.5));
+}
+
 TEST(MinSlot, ShortestAndNarrowestAreEachOthersInverse) {
-    attack_all(30, 2000, 2, [](const MinSlotCase& asked, std::uint64_t) -> std::string {
+    attack_all(30, 2000, Cars::of_the_paper, 2, [](const MinSlotCase& asked, std::uint64_t) -> std::string {
         const std::optional<snug::MinSlot> slot = smallest(asked);
         if (!slot) return {};
         MinSlotCase other = asked;
@@ -163,8 +194,7 @@ TEST(MinSlot, ShortestAndNarrowestAreEachOthersInverse) {
 }
 
 TEST(MinSlot, NeedsNoMoreForAWiderSlotOrMoreChanges) {
-    // Nobody has proved it, and no exception is known. Should one turn up, it is a missed slot or a discovery.
-    attack_all(60, 2000, 3, [](const MinSlotCase& asked, std::uint64_t index) -> std::string {
+    attack_all(60, 2000, Cars::of_the_paper, 3, [](const MinSlotCase& asked, std::uint64_t index) -> std::string {
         Random random(index);
         const std::optional<snug::MinSlot> slot = smallest(asked);
         if (!slot) return {};
