@@ -21,7 +21,7 @@ namespace snug::detail {
 namespace {
 
 constexpr double quarter_turn = 1.57079632679489661923;
-constexpr double least_gap = 2e-14;  ///< between the two sides of a root; beyond rounding, short of any range [rad]
+constexpr double least_gap = 1e-13;  ///< between the two sides of a root; beyond rounding, short of any range [rad]
 constexpr std::size_t most_moves = 300'000'000;
 constexpr int never = std::numeric_limits<int>::max();
 
@@ -71,7 +71,20 @@ bool stays_positive(const Sample& left, const Sample& right, double width, bool 
     return bent <= std::max(0.25 * least, 0.05 * std::abs(change));
 }
 
-Sample negated(const Sample& sample) { return {-sample.value, -sample.slope}; }
+/// The same for a function that has the same sign at both ends.
+bool keeps_sign(const Sample& left, const Sample& right, double width, bool smooth) {
+    if (left.value > 0.0) return stays_positive(left, right, width, smooth);
+    return stays_positive({-left.value, -left.slope}, {-right.value, -right.slope}, width, smooth);
+}
+
+/// Where between two values of opposite sign the root is to be expected, from 0 to 1: the heading as a cubic of the value.
+double root_between(const Sample& left, const Sample& right, double width) {
+    const double change = right.value - left.value;
+    const double t = -left.value / change;
+    const double start = change / (left.slope * width);
+    const double end = change / (right.slope * width);
+    return t * (t * (3.0 - 2.0 * t + end * (t - 1.0)) + start * (1.0 - t) * (1.0 - t));
+}
 
 class Search {
 public:
@@ -122,8 +135,7 @@ private:
         run.first = moves_.size();
         FullSteeringRun car(steering_, heading);
         for (int n = 0; n <= last_move; ++n) {
-            moves_.push_back(car.drive<true>());
-            const FullMove& move = moves_.back();
+            const FullMove& move = moves_.emplace_back(car.drive<true>());
             if (move.depth <= 0.0) {
                 run.changes = n;
                 found_ = true;
@@ -185,27 +197,23 @@ private:
             const FullMove& a = move(left, n);
             const FullMove& b = move(right, n);
             const bool smooth = a.meets == b.meets && a.quarter == b.quarter;
-            if (a.graze[0] * b.graze[0] < 0.0) return split_at_root(left, right, n, first_graze);
-            if (a.graze[1] * b.graze[1] < 0.0) return split_at_root(left, right, n, second_graze);
+            const double first = a.graze[0] * b.graze[0];  // NaN unless both moves sweep that point
+            const double second = a.graze[1] * b.graze[1];
+            if (first < 0.0) return split_at_root(left, right, n, first_graze);
+            if (second < 0.0) return split_at_root(left, right, n, second_graze);
             if (jump_between(a, b)) {
                 if (a.tail_clears * b.tail_clears < 0.0) return split_at_root(left, right, n, tail_clears);
                 if (a.nose_clears * b.nose_clears < 0.0) return split_at_root(left, right, n, nose_clears);
                 return split(left, right, 0.5);
             }
-            for (const auto graze : {first_graze, second_graze}) {
-                const Sample at_a = graze(a);
-                const Sample at_b = graze(b);
-                if ((at_a.value > 0.0 && at_b.value > 0.0 && !stays_positive(at_a, at_b, width, smooth)) ||
-                    (at_a.value < 0.0 && at_b.value < 0.0 &&
-                     !stays_positive(negated(at_a), negated(at_b), width, smooth)))
-                    return split_within(left, right, at_a, at_b, smooth);
-            }
+            if (first > 0.0 && !keeps_sign(first_graze(a), first_graze(b), width, smooth))
+                return split_within(left, right, first_graze(a), first_graze(b), smooth);
+            if (second > 0.0 && !keeps_sign(second_graze(a), second_graze(b), width, smooth))
+                return split_within(left, right, second_graze(a), second_graze(b), smooth);
             if ((a.depth <= 0.0) != (b.depth <= 0.0)) return split_at_root(left, right, n, depth);
-            const bool parked = a.depth <= 0.0;
-            const Sample at_a = parked ? negated(depth(a)) : depth(a);
-            const Sample at_b = parked ? negated(depth(b)) : depth(b);
-            if (!stays_positive(at_a, at_b, width, smooth)) return split_within(left, right, at_a, at_b, smooth);
-            if (parked) break;
+            if (!keeps_sign(depth(a), depth(b), width, smooth))
+                return split_within(left, right, depth(a), depth(b), smooth);
+            if (a.depth <= 0.0) break;
             const double steepest = std::max(std::abs(a.depth_slope), std::abs(b.depth_slope));
             if (!(std::abs(a.depth - b.depth) <= 4.0 * steepest * width + 1e-12 * steering_.problem.length))
                 return split(left, right, 0.5);  // a jump nothing else told of
@@ -241,7 +249,8 @@ private:
         const double meet = ((b.value - a.value) / (right.heading - left.heading) - b.slope) / (a.slope - b.slope);
         if (!smooth && meet > 0.0 && meet < 1.0) {
             part = std::clamp(meet, 0.02, 0.98);
-        } else if (a.slope < 0.0 && b.slope > 0.0 && std::isfinite(a.slope) && std::isfinite(b.slope)) {
+        } else if (a.value * a.slope < 0.0 && b.value * b.slope > 0.0 && std::isfinite(a.slope) &&
+                   std::isfinite(b.slope)) {
             part = std::clamp(a.slope / (a.slope - b.slope), 0.05, 0.95);
         }
         split(left, right, part);
@@ -266,6 +275,7 @@ private:
             const double step = -best.value / best.slope;
             const double longer = step + std::copysign(std::max(1e-3 * std::abs(step), 0.4 * least_gap), step);
             double next = (from_a ? a : b) + longer;
+            if (i == 0) next = a + width * root_between(at_a, at_b, width);
             if (!(next > a && next < b) || width > 0.25 * two_ago) next = a + 0.5 * width;
             two_ago = one_ago;
             one_ago = width;
