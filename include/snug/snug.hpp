@@ -6,6 +6,7 @@
 #include "snug/contact.hpp"
 #include "snug/entry.hpp"
 #include "snug/error.hpp"
+#include "snug/fewest.hpp"
 #include "snug/geometry.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"

@@ -1,0 +1,50 @@
+// The fewest direction changes over all maneuvers a car can drive, with proof.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "snug/car.hpp"
+#include "snug/maneuver.hpp"
+#include "snug/max_steer.hpp"
+#include "snug/slot.hpp"
+
+namespace snug {
+
+struct FewestOptions {
+    int max_changes = 200;          ///< direction changes allowed, 0 to 1000
+    double clearance = 0.0;         ///< grows the frame for contacts and for the entry position [m]
+    Enter enter = Enter::backward;  ///< tail or nose first
+    /// Spacing of the finest lattice the bounds are computed on [m]; 0: a ten-thousandth of the car's length. Coarser ones
+    /// are tried first, and the search ends where the bounds meet.
+    double resolution = 0.0;
+    double time_limit = std::numeric_limits<double>::infinity();  ///< ends with the bounds found so far [s]
+    bool roomiest = true;  ///< look for the roomiest maneuver; otherwise any with that many changes will do
+    /// Told the part done (0 to 1) from time to time; returning false ends with the bounds found so far.
+    std::function<bool(double)> progress;
+};
+
+struct FewestAnswer {
+    /// What `maneuver` needs; empty when no maneuver was found.
+    std::optional<int> direction_changes;
+    /// No maneuver whatsoever has fewer; more than max_changes: the car cannot park with as many as are allowed.
+    int lower_bound = 0;
+    /// The two meet, or the lower bound exceeds what is allowed.
+    bool proved = false;
+    /// Few arcs and straight lines with exact contacts. Of all maneuvers with that many changes it is the roomiest found,
+    /// the one that keeps the greatest distance from the neighbours and the curb.
+    std::optional<Maneuver> maneuver;
+    double spacing = 0.0;  ///< of the finest lattice that was needed [m]; 0 if none was
+};
+
+/// The smallest number of direction changes with which the car can enter the slot, whatever way it is steered within its
+/// limit and wherever it stops. The road is as wide as need be, and the first move goes backward. Nose first it goes
+/// forward, and once the nose's corner on the curb side has crossed the entry side it stays in; otherwise stopping and
+/// reversing in would answer the question. docs/fewest.md has the proof.
+///
+/// The maneuver begins with the corner of the frame at the slot's corner wherever such a one is found, else above it.
+/// Throws Error when an option is impossible, or when the resolution would take more than about 4 GB of memory.
+FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& options = {});
+
+}  // namespace snug

@@ -1,0 +1,205 @@
+// The lattice on which all maneuvers are compared: how high the car can be at each place and heading.
+//
+// The rear axle centre's x and the heading make two characteristic coordinates a = x - r sin(heading) and
+// b = x + r sin(heading), which no forward motion lets fall and no backward motion lets rise. The lattice has the spacing h
+// in both. Row s holds the places x = s h / 2 and column d the headings with sine d h / (2 r); s + d is even. A full left
+// turn forward leads from (s, d) to (s + 1, d + 1), a full right turn to (s + 1, d - 1), backward likewise the other way.
+// docs/fewest.md has the reasons for every number here.
+//
+// Heights are kept as z = y + r cos(heading) in the entering frame (entering.hpp), and the car leaves the slot: time runs
+// backward.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "snug/maneuver.hpp"
+#include "snug/max_steer.hpp"
+#include "turning.hpp"
+
+namespace snug::detail {
+
+/// Looks whether time is up or the caller has had enough, and throws GivenUp if so.
+using Watch = std::function<void()>;
+struct GivenUp {};
+
+/// Which bound on the number of direction changes the lattice gives.
+enum class Bound {
+    lower,  ///< cells around the lattice's points hold every real motion: what they cannot do, no car can
+    upper,  ///< points joined by arcs of full steering are motions themselves, if nothing is met in between
+};
+
+/// Where the lattice's row 0 and column 0 lie.
+struct Anchor {
+    double x = 0.0;
+    double sine = 0.0;
+};
+
+/// Cells of a row, both ends included.
+struct Window {
+    int from = 1;
+    int to = 0;
+
+    [[nodiscard]] bool empty() const { return from > to; }
+    [[nodiscard]] std::size_t size() const { return empty() ? 0 : static_cast<std::size_t>(to - from) + 1; }
+    void cover(const Window& other) {
+        if (other.empty()) return;
+        if (empty()) {
+            *this = other;
+        } else {
+            from = from < other.from ? from : other.from;
+            to = to > other.to ? to : other.to;
+        }
+    }
+};
+
+/// A window of every row from the first on.
+struct Rows {
+    int first = 0;
+    std::vector<Window> windows;
+
+    [[nodiscard]] std::size_t cells() const;
+};
+
+/// Within row s the cell of column d has this index; neighbours in a row are two columns apart.
+inline int cell_of_column(int d) { return d >> 1; }
+inline int column_of_cell(int row, int cell) { return 2 * cell + (row & 1); }
+
+/// What a sweep adds on its way: from the column to the left (d - 1) and to the right (d + 1) in the row before, and to a
+/// car that begins its move here.
+struct SweepTerms {
+    std::vector<double> keep, from_left, from_right;
+    std::vector<double> ceiling;  ///< see Above
+};
+
+/// Spare numbers around every row, because whole vectors are read.
+constexpr std::size_t row_padding = 16;
+
+/// Numbers of one column; heights as z. [m]
+struct Column {
+    double start = 0.0;                       ///< highest parked position
+    double start_from = 0.0, start_to = 0.0;  ///< and where there are any
+    double curb = 0.0;                        ///< lowest position above the curb
+    double tail_out = 0.0;                    ///< lowest one with the tail's right corner above the entry side
+    double from = 0.0, to = 0.0;              ///< the column ends here
+    double out_rear = 0.0, out_front = 0.0;   ///< beyond, the car is out
+    double beside = 0.0;                      ///< a corner is above a neighbour: before (nose up) or beyond (nose down)
+    bool nose_up = false;
+    double rear_at_0 = 0.0, rear_slope = 0.0;    ///< lowest position above the rear neighbour, a line in x
+    double front_at_0 = 0.0, front_slope = 0.0;  ///< above the front neighbour
+};
+
+/// All that is fixed: obstacles and terms. Entering nose first the nose must stay in (see fewest.hpp): in the entering
+/// frame the car then never backs its tail out.
+class Lattice {
+public:
+    /// Within those rows of a lattice twice as coarse, if given, everything that matters must lie.
+    Lattice(const Problem& problem, Enter enter, Bound bound, double spacing, const Anchor& anchor,
+            const Rows* within_coarser, const Watch& watch);
+    /// The same rows with the other bound, or for a car of another size.
+    Lattice(const Lattice& other, const Problem& problem, Bound bound, const Watch& watch);
+
+    [[nodiscard]] double x(int row) const { return anchor_.x + row * (spacing_ / 2.0); }
+    [[nodiscard]] double sine(int column) const { return anchor_.sine + column * sine_step_; }
+    [[nodiscard]] double spacing() const { return spacing_; }
+    [[nodiscard]] const Problem& problem() const { return problem_; }
+    [[nodiscard]] const Rows& rows() const { return rows_; }
+
+    [[nodiscard]] const SweepTerms& terms_of(Direction direction, int row) const {
+        return (direction == Direction::forward ? forward_ : backward_)[row & 1];
+    }
+    /// Where in its terms a cell is found.
+    [[nodiscard]] std::size_t term(int cell) const {
+        return static_cast<std::size_t>(cell - cell_of_column(first_column_)) + row_padding;
+    }
+
+    /// Where the car is out, or stands upright in the slot and can drive straight out.
+    struct Goal {
+        int row, cell;
+        enum { front, rear, upright } where;
+    };
+    [[nodiscard]] const std::vector<Goal>& goals() const { return goals_; }
+    /// Whether the rows reach there.
+    [[nodiscard]] bool holds(int row, int column) const {
+        const int i = row - rows_.first;
+        if (i < 0 || i >= static_cast<int>(rows_.windows.size())) return false;
+        const Window& window = rows_.windows[static_cast<std::size_t>(i)];
+        return cell_of_column(column) >= window.from && cell_of_column(column) <= window.to;
+    }
+    /// Lowest free position. [m]
+    [[nodiscard]] double needed(int row, int column) const { return needed_[index(row, cell_of_column(column))]; }
+
+private:
+    friend class Heights;
+
+    void measure_columns();
+    void find_rows(const Rows* within_coarser);
+    void measure_rows(const Watch& watch);
+    [[nodiscard]] Column column(double sine) const;
+    [[nodiscard]] SweepTerms terms(Direction direction, int parity) const;
+    [[nodiscard]] const Column& at(int column) const {
+        return columns_[static_cast<std::size_t>(column - first_column_)];
+    }
+    [[nodiscard]] std::size_t index(int row, int cell) const;
+
+    Problem problem_;
+    Enter enter_;
+    Bound bound_;
+    double spacing_;
+    double sine_step_;
+    Anchor anchor_;
+    double rounding_ = 0.0;  ///< more than a sum of two heights can be off [m]
+    int first_column_ = 0;
+    int last_column_ = 0;
+    std::vector<Column> columns_;
+    SweepTerms forward_[2], backward_[2];  // by the parity of the column
+    Rows rows_;                            // within which the car may be
+    std::vector<std::size_t> begin_;       // of each row's cells
+    std::vector<double> needed_;           // lowest free position of each cell
+    std::vector<double> needed_backward_;  // where that is another one driving backward
+    std::vector<Goal> goals_;
+};
+
+/// Highest position of the car in every cell after some moves; it changes sweep by sweep.
+class Heights {
+public:
+    static constexpr double nowhere = -std::numeric_limits<double>::infinity();
+
+    explicit Heights(const Lattice& lattice);
+
+    /// Parked anywhere.
+    void start_parked();
+    /// At one place, z high; nowhere if that is not free.
+    void start_at(int row, int column, double z);
+    /// Lets the car make one more move in the direction. Returns whether it gets out, or could at once the other way.
+    bool sweep(Direction direction, const Watch& watch);
+
+    [[nodiscard]] double at(int row, int column) const;
+    /// Where the car can be.
+    [[nodiscard]] const Rows& reached() const { return reached_; }
+    /// Cells computed so far.
+    [[nodiscard]] std::size_t updates() const { return updates_; }
+    [[nodiscard]] const Lattice& lattice() const { return *lattice_; }
+
+private:
+    /// Cells of one row; `before` are the heights in the row before, from the column to the left of the first cell on.
+    void sweep_cells(int row, const Window& cells, Direction direction, const double* before);
+
+    const Lattice* lattice_;
+    std::vector<double> z_;
+    std::vector<double> nothing_;
+    Rows reached_;
+    std::size_t updates_ = 0;
+};
+
+/// What becomes of positions above the ceiling.
+enum class Above { allowed, lowered, dropped };
+
+/// `count` cells of a row, from the neighbouring cells in the row before: the higher of staying, coming from the left and
+/// from the right, or nowhere when that is too low. Whole vectors are read: up to `row_padding` numbers more.
+void sweep_row(double* row, const double* left, const double* right, const double* keep, const double* from_left,
+               const double* from_right, const double* needed, Above above, const double* ceiling, std::size_t count);
+
+}  // namespace snug::detail

@@ -1,0 +1,452 @@
+#include "fewest_path.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "snug/contact.hpp"
+
+namespace snug::detail {
+
+namespace {
+
+constexpr double touching = 1e-9;  ///< closer to its end than this a move ends in contact [m]
+
+Direction direction_at(int level, int last) {
+    return (last - level) % 2 == 0 ? Direction::forward : Direction::backward;
+}
+
+Direction reverse_of(Direction direction) {
+    return direction == Direction::forward ? Direction::backward : Direction::forward;
+}
+
+bool out_in_front(const Heights& heights) {
+    const Lattice& lattice = heights.lattice();
+    return std::any_of(lattice.goals().begin(), lattice.goals().end(), [&](const Lattice::Goal& goal) {
+        return goal.where == Lattice::Goal::front &&
+               heights.at(goal.row, column_of_cell(goal.row, goal.cell)) > Heights::nowhere;
+    });
+}
+
+}  // namespace
+
+std::optional<int> changes_along(const Lattice& lattice, const Start& start, int most, const Watch& watch) {
+    // Moves alternate. Those that begin forward get out after an even number of changes; beginning backward can save one.
+    std::optional<int> fewest;
+    for (const int first : {0, 1}) {
+        Heights heights(lattice);
+        start(heights);
+        const int last = fewest ? *fewest - 1 : most;
+        for (int k = 0; k <= last; ++k) {
+            const bool forward = (k + first) % 2 == 0;
+            const bool out = heights.sweep(forward ? Direction::forward : Direction::backward, watch);
+            if (forward && out && out_in_front(heights)) {
+                fewest = k;
+                break;
+            }
+        }
+    }
+    return fewest;
+}
+
+namespace {
+
+struct Node {
+    int row, column;
+};
+
+Characteristic characteristic(const Lattice& lattice, const Node& node) {
+    const double x = lattice.x(node.row);
+    const double across = lattice.problem().radius * lattice.sine(node.column);
+    return {x - across, x + across};
+}
+
+/// The way to a node within the last of these sweeps, back to where it begins; the node becomes that place.
+std::vector<Node> way_back(const Heights& before, const Heights& after, Direction direction, Node& node) {
+    const Lattice& lattice = before.lattice();
+    const int step = direction == Direction::forward ? 1 : -1;
+    std::vector<Node> way = {node};
+    int last_turn = 0;
+    for (;;) {
+        const double z = after.at(node.row, node.column);
+        if (before.at(node.row, node.column) == z) return way;
+        const int row = node.row - step;
+        const SweepTerms& terms = lattice.terms_of(direction, node.row);
+        const std::size_t term = lattice.term(cell_of_column(node.column));
+        const bool from_left = after.at(row, node.column - 1) + terms.from_left[term] == z;
+        const bool from_right = after.at(row, node.column + 1) + terms.from_right[term] == z;
+        const int turn = from_left && (!from_right || last_turn <= 0) ? -1 : 1;  // rather as before
+        last_turn = turn;
+        node = {row, node.column + turn};
+        way.push_back(node);
+    }
+}
+
+}  // namespace
+
+std::optional<LatticePath> path_along(const Lattice& lattice, const Start& start, int changes, const Watch& watch) {
+    // To find the way back all heights are needed again, last ones first: kept are a few, the others computed again.
+    const int between = 1 + static_cast<int>(std::sqrt(changes));
+    std::vector<Heights> kept;
+    Heights heights(lattice);
+    start(heights);
+    for (int k = 0; k <= changes; ++k) {
+        if (k % between == 0) kept.push_back(heights);
+        heights.sweep(direction_at(k, changes), watch);
+    }
+    // Of all ways out the one that clears p most, nose up if possible.
+    std::optional<Node> out;
+    double best = Heights::nowhere;
+    for (const Lattice::Goal& goal : lattice.goals()) {
+        const Node node{goal.row, column_of_cell(goal.row, goal.cell)};
+        const double z = heights.at(node.row, node.column);
+        if (goal.where != Lattice::Goal::front || z == Heights::nowhere) continue;
+        const double room = z - lattice.needed(node.row, node.column) - (lattice.sine(node.column) < 0.0 ? 1e6 : 0.0);
+        if (room > best) {
+            best = room;
+            out = node;
+        }
+    }
+    if (!out) return std::nullopt;
+    LatticePath path;
+    Node node = *out;
+    std::vector<Heights> levels;
+    for (int k = changes; k >= 0; --k) {
+        if (levels.size() < 2) {  // those from the last one kept up to this
+            const int first = k / between * between;
+            levels = {std::move(kept.back())};
+            kept.pop_back();
+            for (int level = first; level <= k; ++level) {
+                levels.push_back(levels.back());
+                levels.back().sweep(direction_at(level, changes), watch);
+            }
+        }
+        const Heights after = std::move(levels.back());
+        levels.pop_back();
+        LatticePath::Leg leg;
+        leg.direction = direction_at(k, changes);
+        for (const Node& at : way_back(levels.back(), after, leg.direction, node))
+            leg.points.push_back(characteristic(lattice, at));
+        std::reverse(leg.points.begin(), leg.points.end());
+        path.legs.push_back(std::move(leg));
+        if (k == 0) path.z = levels.back().at(node.row, node.column);
+    }
+    std::reverse(path.legs.begin(), path.legs.end());
+    return path;
+}
+
+Ground::Ground(const Car& asked, const Slot& asked_slot, Enter way_in, double keeps)
+    : car(asked), slot({.length = asked_slot.length(), .width = asked_slot.width()}), clearance(keeps), enter(way_in) {
+    if (enter == Enter::backward) return;
+    CarDimensions dimensions = asked.dimensions();
+    std::swap(dimensions.front, dimensions.rear);
+    car = Car(dimensions);
+}
+
+namespace {
+
+/// The front-right or, behind, the rear-right corner of the grown frame.
+Point right_corner(const Ground& ground, const Pose& pose, double ahead) {
+    const double along = ahead + (ahead > 0.0 ? ground.clearance : -ground.clearance);
+    const double right = ground.car.width() / 2.0 + ground.clearance;
+    const double c = std::cos(pose.heading), s = std::sin(pose.heading);
+    return {pose.x + along * c + right * s, pose.y + along * s - right * c};
+}
+
+/// The way out as a polyline in characteristic coordinates: a straight segment there is an arc or a line on the road,
+/// upright ones are full left, level ones full right.
+struct Plan {
+    Pose start;
+    std::vector<LatticePath::Leg> legs;  // their points without the start of the leg
+};
+
+class Smoother {
+public:
+    explicit Smoother(const Ground& ground) : ground_(ground), radius_(ground.car.turning_radius()) {}
+
+    std::vector<Move> entering(const LatticePath& path) const;
+
+private:
+    [[nodiscard]] Characteristic characteristic(const Pose& pose) const {
+        const double across = radius_ * std::sin(pose.heading);
+        return {pose.x - across, pose.x + across};
+    }
+    /// The piece to a point, contacts not looked at; empty where no heading leads there.
+    [[nodiscard]] std::optional<Move> piece(const Pose& from, Direction direction, const Characteristic& to) const;
+    [[nodiscard]] bool free(const Move& move) const {
+        return first_contact(ground_.car, ground_.slot, move.start, move.direction, move.steering_angle,
+                             ground_.clearance)
+                   .distance >= move.length;
+    }
+    /// Appends the pieces of a leg from the last pose on; false where one meets something.
+    bool drive_leg(const LatticePath::Leg& leg, Pose& pose, std::vector<Move>& moves) const;
+    /// The whole way, cut where the corner is level with p; empty unless it is free and gets out.
+    [[nodiscard]] std::vector<Move> driven(const Plan& plan) const;
+    /// Ends the last move where the front-right corner passes x = 0 and checks the way from there.
+    [[nodiscard]] bool cut_at_p(std::vector<Move>& moves) const;
+    [[nodiscard]] Point corner(const Pose& pose) const { return right_corner(ground_, pose, ground_.car.front()); }
+    /// Few points for a leg from here on.
+    [[nodiscard]] std::optional<LatticePath::Leg> fewer_points(const LatticePath::Leg& leg, Pose pose) const;
+    void drop_points(Plan& plan) const;
+    /// Takes as little of something (all of it: 1) as still gets out. Returns whether the corner then passes p itself,
+    /// and the plan for that.
+    bool sink_to_p(Plan& plan, const std::function<Plan(double)>& less) const;
+    bool shorten_last_backward(Plan& plan) const;
+    bool turn_right_earlier(Plan& plan) const;
+    bool start_lower(Plan& plan) const;
+
+    const Ground& ground_;
+    double radius_;
+};
+
+std::optional<Move> Smoother::piece(const Pose& from, Direction direction, const Characteristic& to) const {
+    const Characteristic at = characteristic(from);
+    const double sign = direction == Direction::forward ? 1.0 : -1.0;
+    const double along_a = std::max(0.0, sign * (to.a - at.a));
+    const double along_b = std::max(0.0, sign * (to.b - at.b));
+    Move move;
+    move.direction = direction;
+    move.start = move.end = from;
+    const double negligible = 1e-12 * radius_;
+    if (along_a + along_b <= negligible) return move;
+    const double sine = (to.b - to.a) / (2.0 * radius_);
+    if (!(std::abs(sine) < 1.0)) return std::nullopt;
+    const double end = std::asin(sine);
+    if (along_a <= negligible || along_b <= negligible) {
+        move.steering_angle = along_a <= negligible ? ground_.car.max_steer() : -ground_.car.max_steer();
+        move.length = radius_ * std::abs(end - from.heading);
+    } else {
+        double curvature = (along_b - along_a) / (radius_ * (along_a + along_b));
+        if (std::abs(along_b - along_a) < 1e-9 * radius_) curvature = 0.0;
+        move.steering_angle = std::clamp(std::atan(curvature * ground_.car.wheelbase()), -ground_.car.max_steer(),
+                                         ground_.car.max_steer());
+        const double half = curvature == 0.0 ? 0.0 : (end - from.heading) / 2.0;
+        const double chord = (along_a + along_b) / (2.0 * std::cos(from.heading + half));
+        move.length = chord / (std::abs(half) > 1e-8 ? std::sin(half) / half : 1.0);
+    }
+    move.end = drive(ground_.car, from, direction, move.steering_angle, move.length);
+    return move;
+}
+
+bool Smoother::drive_leg(const LatticePath::Leg& leg, Pose& pose, std::vector<Move>& moves) const {
+    for (const Characteristic& to : leg.points) {
+        const std::optional<Move> move = piece(pose, leg.direction, to);
+        if (!move) return false;
+        if (move->length == 0.0) continue;
+        if (!free(*move)) return false;
+        if (ground_.enter == Enter::forward && move->direction == Direction::backward &&
+            right_corner(ground_, move->end, -ground_.car.rear()).y > touching)
+            return false;  // the nose would come out again
+        moves.push_back(*move);
+        pose = move->end;
+    }
+    return true;
+}
+
+bool Smoother::cut_at_p(std::vector<Move>& moves) const {
+    while (!moves.empty() && corner(moves.back().start).x > 0.0) moves.pop_back();
+    if (moves.empty() || !(corner(moves.back().end).x > 0.0)) return false;
+    Move& last = moves.back();
+    double before = 0.0, after = last.length;
+    for (;;) {
+        const double middle = before + (after - before) / 2.0;
+        if (middle <= before || middle >= after) break;
+        (corner(drive(ground_.car, last.start, last.direction, last.steering_angle, middle)).x > 0.0 ? after : before) =
+            middle;
+    }
+    last.length = before;
+    last.end = drive(ground_.car, last.start, last.direction, last.steering_angle, before);
+    if (!(corner(last.end).y >= 0.0)) return false;
+    // From here straight on, or, nose down, full left until level; no entry position is nose down.
+    Pose pose = last.end;
+    if (pose.heading < 0.0) {
+        const double a = characteristic(pose).a;
+        const std::optional<Move> level = piece(pose, Direction::forward, {a, a});
+        if (!level || !free(*level)) return false;
+        moves.push_back(*level);
+        pose = level->end;
+    }
+    pose.y += touching;
+    return !first_contact(ground_.car, ground_.slot, pose, Direction::forward, 0.0, ground_.clearance).contact;
+}
+
+std::vector<Move> Smoother::driven(const Plan& plan) const {
+    std::vector<Move> moves;
+    Pose pose = plan.start;
+    for (const LatticePath::Leg& leg : plan.legs)
+        if (!drive_leg(leg, pose, moves)) return {};
+    if (!cut_at_p(moves)) return {};
+    return moves;
+}
+
+std::optional<LatticePath::Leg> Smoother::fewer_points(const LatticePath::Leg& leg, Pose pose) const {
+    // Full left and then full right climbs more than any other way to the same point: taken as far as it is free.
+    LatticePath::Leg few{leg.direction, {}};
+    std::size_t at = 0;
+    while (at + 1 < leg.points.size()) {
+        std::size_t step = leg.points.size() - 1 - at;
+        for (;; step = (step + 1) / 2) {
+            const Characteristic& to = leg.points[at + step];
+            LatticePath::Leg jump{leg.direction, {{characteristic(pose).a, to.b}, to}};
+            Pose end = pose;
+            std::vector<Move> moves;
+            if (drive_leg(jump, end, moves)) {
+                few.points.insert(few.points.end(), jump.points.begin(), jump.points.end());
+                pose = end;
+                at += step;
+                break;
+            }
+            if (step == 1) return std::nullopt;
+        }
+    }
+    return few;
+}
+
+void Smoother::drop_points(Plan& plan) const {
+    bool dropped = true;
+    while (dropped) {
+        dropped = false;
+        for (LatticePath::Leg& leg : plan.legs) {
+            for (std::size_t i = 0; leg.points.size() > 1 && i + 1 < leg.points.size();) {
+                const Characteristic point = leg.points[i];
+                leg.points.erase(leg.points.begin() + static_cast<std::ptrdiff_t>(i));
+                if (!driven(plan).empty()) {
+                    dropped = true;
+                } else {
+                    leg.points.insert(leg.points.begin() + static_cast<std::ptrdiff_t>(i), point);
+                    ++i;
+                }
+            }
+        }
+    }
+}
+
+bool Smoother::sink_to_p(Plan& plan, const std::function<Plan(double)>& less) const {
+    double works = 1.0, fails = 0.0;
+    for (;;) {
+        const double middle = works + (fails - works) / 2.0;
+        if (middle == works || middle == fails) break;
+        (driven(less(middle)).empty() ? fails : works) = middle;
+    }
+    const Plan lowest = less(works);
+    const std::vector<Move> moves = driven(lowest);
+    if (moves.empty() || corner(moves.back().end).y > touching) return false;
+    plan = lowest;
+    return true;
+}
+
+bool Smoother::shorten_last_backward(Plan& plan) const {
+    if (plan.legs.size() < 2) return false;
+    const Plan whole = plan;
+    const LatticePath::Leg& back = whole.legs[whole.legs.size() - 2];
+    Pose begin = whole.start;
+    std::vector<Move> moves;
+    for (std::size_t i = 0; i + 2 < whole.legs.size(); ++i) drive_leg(whole.legs[i], begin, moves);
+    const Characteristic from = characteristic(begin);
+    return sink_to_p(plan, [&](double part) {
+        Plan shorter = whole;
+        LatticePath::Leg& leg = shorter.legs[whole.legs.size() - 2];
+        std::vector<double> lengths;
+        double left = 0.0;
+        Characteristic at = from;
+        for (const Characteristic& point : back.points) {
+            lengths.push_back(std::abs(point.a - at.a) + std::abs(point.b - at.b));
+            left += part * lengths.back();
+            at = point;
+        }
+        at = from;
+        leg.points.clear();
+        for (std::size_t i = 0; i < back.points.size() && left > 0.0; ++i) {
+            const double share = lengths[i] > 0.0 ? std::min(1.0, left / lengths[i]) : 1.0;
+            leg.points.push_back({at.a + share * (back.points[i].a - at.a), at.b + share * (back.points[i].b - at.b)});
+            left -= lengths[i];
+            at = back.points[i];
+        }
+        const Characteristic turn = leg.points.empty() ? from : leg.points.back();
+        for (Characteristic& point : shorter.legs.back().points)
+            point = {std::max(point.a, turn.a), std::max(point.b, turn.b)};
+        return shorter;
+    });
+}
+
+bool Smoother::turn_right_earlier(Plan& plan) const {
+    const Plan whole = plan;
+    Pose begin = whole.start;
+    std::vector<Move> moves;
+    for (std::size_t i = 0; i + 1 < whole.legs.size(); ++i) drive_leg(whole.legs[i], begin, moves);
+    const Characteristic from = characteristic(begin);
+    const Characteristic to = whole.legs.back().points.back();
+    return sink_to_p(plan, [&](double part) {
+        Plan earlier = whole;
+        const double rest = 1.0 - part;
+        for (Characteristic& point : earlier.legs.back().points) {
+            // Towards first right and then left, which climbs least.
+            point.a += rest * (to.a - point.a);
+            point.b += rest * (from.b - point.b);
+        }
+        earlier.legs.back().points.push_back(to);
+        return earlier;
+    });
+}
+
+bool Smoother::start_lower(Plan& plan) const {
+    const Plan whole = plan;
+    const std::vector<Move> moves = driven(whole);
+    const double height = corner(moves.back().end).y;
+    return sink_to_p(plan, [&](double part) {
+        Plan lower = whole;
+        lower.start.y -= (1.0 - part) * 1.001 * height;
+        return lower;
+    });
+}
+
+std::vector<Move> Smoother::entering(const LatticePath& path) const {
+    if (path.legs.empty()) return {};
+    const Characteristic first = path.legs.front().points.front();
+    Plan plan;
+    const double heading = std::asin((first.b - first.a) / (2.0 * radius_));
+    plan.start = {(first.a + first.b) / 2.0, path.z - radius_ * std::cos(heading), heading};
+    Pose pose = plan.start;
+    std::vector<Move> moves;
+    for (const LatticePath::Leg& leg : path.legs) {
+        std::optional<LatticePath::Leg> few = fewer_points(leg, pose);
+        if (!few) return {};
+        drive_leg(*few, pose, moves);
+        plan.legs.push_back(std::move(*few));
+    }
+    // The lattice may have planned for a larger frame: on until the corner is past p.
+    std::vector<Characteristic>& points = plan.legs.back().points;
+    if (points.empty()) points.push_back(characteristic(pose));
+    const Characteristic end = points.back();
+    const double short_of_p = std::max(0.0, -corner(pose).x) * 2.0 + 1e-3 * radius_;
+    points.push_back({pose.heading >= 0.0 ? end.a + short_of_p : end.a, end.b + short_of_p});
+    if (driven(plan).empty()) return {};
+    drop_points(plan);
+    // Whoever passes above p may climb less.
+    if (!shorten_last_backward(plan) && !turn_right_earlier(plan)) start_lower(plan);
+    moves = driven(plan);
+
+    std::reverse(moves.begin(), moves.end());
+    for (Move& move : moves) {
+        move.direction = reverse_of(move.direction);
+        std::swap(move.start, move.end);
+        const FirstContact met = first_contact(ground_.car, ground_.slot, move.start, move.direction,
+                                               move.steering_angle, ground_.clearance);
+        if (std::abs(met.distance - move.length) <= touching) move.contact = met.contact;
+    }
+    return moves;
+}
+
+}  // namespace
+
+std::vector<Move> entering_moves(const Ground& ground, const LatticePath& path) {
+    return Smoother(ground).entering(path);
+}
+
+bool begin_at_p(const Ground& ground, const std::vector<Move>& moves) {
+    const Point corner = right_corner(ground, moves.front().start, ground.car.front());
+    return std::hypot(corner.x, corner.y) <= touching;
+}
+
+}  // namespace snug::detail

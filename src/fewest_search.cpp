@@ -1,0 +1,161 @@
+#include "fewest_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "check.hpp"
+
+namespace snug::detail {
+
+namespace {
+
+constexpr double usual_part = 1e-4;  ///< of the car's length: the usual resolution
+constexpr double coarsest_part = 1.0 / 128;
+constexpr double well_known = 1.0 / 1000;  ///< of the car's length: the next lattice shows what the finest takes
+constexpr double most_memory = 4e9;        ///< [bytes]
+constexpr double memory_per_cell = 40.0;   ///< both lattices, and the way back [bytes]
+
+Direction direction_at(int level, int last) {
+    return (last - level) % 2 == 0 ? Direction::forward : Direction::backward;
+}
+
+/// A chain of sweeps whose last one, after `last` changes, goes forward.
+struct Chain {
+    std::optional<int> out;  ///< changes after which the car got out first
+    Rows reached;            ///< within so many changes
+};
+
+Chain run_chain(const Lattice& lattice, const LeavingQuestion& question, int last, bool on_when_out,
+                const Watch& watch) {
+    Chain chain;
+    Heights heights(lattice);
+    question.start(heights);
+    for (int k = 0; k <= last; ++k) {
+        const Direction direction = direction_at(k, last);
+        if (heights.sweep(direction, watch) && !chain.out) {
+            chain.out = direction == Direction::forward ? k : k + 1;
+            if (!on_when_out) break;
+        }
+    }
+    chain.reached = heights.reached();
+    return chain;
+}
+
+double finest(const LeavingQuestion& question) {
+    return question.resolution > 0.0 ? question.resolution : usual_part * question.ground.car.length();
+}
+
+/// The resolution times a power of two.
+double coarsest(const LeavingQuestion& question) {
+    double spacing = finest(question);
+    while (spacing < coarsest_part * question.ground.car.length()) spacing *= 2.0;
+    return spacing;
+}
+
+/// Changes after which the coarsest lattice lets the car get out, if within the allowed ones.
+std::optional<int> first_guess(const LeavingQuestion& question, const Watch& watch) {
+    const Lattice lower(question.problem, question.enter, Bound::lower, coarsest(question), question.anchor, nullptr,
+                        watch);
+    return run_chain(lower, question, question.max_changes, false, watch).out;
+}
+
+/// Bounds on lattices from the coarsest to the finest, as far as `depth` changes; false when that is not enough.
+bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds, const Watch& watch) {
+    std::optional<Rows> reached;
+    for (double spacing = coarsest(question); spacing > 0.999 * finest(question); spacing /= 2.0) {
+        const int last = bounds.upper ? *bounds.upper - 1 : depth;
+        if (last < bounds.lower) return bounds.upper || depth == question.max_changes;
+        if (reached && spacing <= well_known * question.ground.car.length()) {
+            const double finer = spacing / finest(question);
+            const double memory = 4.0 * static_cast<double>(reached->cells()) * memory_per_cell;
+            if (question.resolution > 0.0 && memory * finer * finer > most_memory)
+                throw Error("resolution is " + spelled(question.resolution) + " m, but the lattice for that takes " +
+                            spelled(std::ceil(memory * finer * finer / 1e9)) + " GB of memory; it must be at least " +
+                            spelled(question.resolution * std::sqrt(memory * finer * finer / most_memory)) + " m");
+            if (memory > most_memory) return true;
+        }
+        const Lattice lower(question.problem, question.enter, Bound::lower, spacing, question.anchor,
+                            reached ? &*reached : nullptr, watch);
+        Chain chain = run_chain(lower, question, last, true, watch);
+        bounds.spacing = spacing;
+        const int none_below = chain.out ? *chain.out - 1 : last + 1;
+        bounds.lower = std::max(bounds.lower, none_below);
+        if (chain.out && bounds.lower == none_below) {
+            // Beginning the other way may save a change.
+            if (none_below < 0 || !run_chain(lower, question, none_below, false, watch).out) bounds.lower = *chain.out;
+        }
+        reached = std::move(chain.reached);
+        if (bounds.meet()) return true;
+        if (!chain.out && !bounds.upper) return depth == question.max_changes;
+
+        const Lattice upper(lower, question.problem, Bound::upper, watch);
+        const std::optional<int> changes = changes_along(upper, question.start, last, watch);
+        for (int k = changes.value_or(last + 1); k <= std::min(last, changes.value_or(0) + 1); ++k) {
+            const std::optional<LatticePath> path = path_along(upper, question.start, k, watch);
+            std::vector<Move> moves;
+            if (path) moves = entering_moves(question.ground, *path);
+            if (moves.empty()) continue;
+            bounds.moves = std::move(moves);
+            bounds.upper = Maneuver{question.ground.car, bounds.moves}.direction_changes();
+            break;
+        }
+        if (bounds.meet()) return true;
+    }
+    return true;
+}
+
+}  // namespace
+
+void narrow(const LeavingQuestion& question, LeavingBounds& bounds, const Watch& watch) {
+    // Without an upper bound look only about so far as it may take: each change more costs two sweeps.
+    int depth = question.max_changes;
+    if (!bounds.upper) {
+        if (const std::optional<int> guess = first_guess(question, watch)) depth = std::min(depth, 2 * *guess + 10);
+    }
+    while (!narrow_to(question, depth, bounds, watch)) depth = std::min(question.max_changes, 2 * depth + 10);
+}
+
+void make_roomier(const LeavingQuestion& question, LeavingBounds& bounds, const Watch& watch) {
+    if (!bounds.upper) return;
+    const int changes = *bounds.upper;
+    const Car& car = question.ground.car;
+    const auto keeping = [&](double distance) {
+        Problem problem = question.problem;
+        for (double* extent :
+             {&problem.touching.front, &problem.touching.left, &problem.touching.rear, &problem.touching.right})
+            *extent += distance;
+        return problem;
+    };
+    std::optional<Rows> reached;
+    double spacing = coarsest(question);
+    for (; spacing > std::max(0.999 * finest(question), 2e-4 * car.length()); spacing /= 2.0) {
+        const Lattice lower(question.problem, question.enter, Bound::lower, spacing, question.anchor,
+                            reached ? &*reached : nullptr, watch);
+        reached = run_chain(lower, question, changes, true, watch).reached;
+        if (spacing > 1e-3 * car.length()) continue;
+        // The greatest distance with which the car still gets out.
+        double kept = 0.0;
+        double too_much = 0.5 * std::max(0.0, question.ground.slot.length() - car.length());
+        std::optional<LatticePath> best;
+        const auto try_keeping = [&](double distance) {
+            const Lattice upper(lower, keeping(distance), Bound::upper, watch);
+            std::optional<LatticePath> path = path_along(upper, question.start, changes, watch);
+            if (!path) return false;
+            best = std::move(path);
+            return true;
+        };
+        if (!try_keeping(kept)) continue;
+        for (int i = 0; i < 7; ++i) {
+            const double middle = (kept + too_much) / 2.0;
+            (try_keeping(middle) ? kept : too_much) = middle;
+        }
+        std::vector<Move> moves = entering_moves(question.ground, *best);
+        if (moves.empty()) continue;
+        const bool worse_entry =
+            !begin_at_p(question.ground, moves) && (bounds.moves.empty() || begin_at_p(question.ground, bounds.moves));
+        if (!worse_entry) bounds.moves = std::move(moves);
+        return;
+    }
+}
+
+}  // namespace snug::detail

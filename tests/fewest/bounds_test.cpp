@@ -1,0 +1,207 @@
+// The lattices behind both bounds: no real motion is ever above the lower one, and a plain loop gives the upper one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "entering.hpp"
+#include "fewest_lattice.hpp"
+#include "oracle/random_cases.hpp"
+#include "sample.hpp"
+#include "snug/snug.hpp"
+
+namespace {
+
+using namespace snug::detail;
+using oracle::Case;
+using oracle::Random;
+using snug::Direction;
+using snug::Pose;
+
+constexpr double nowhere = Heights::nowhere;
+const Watch no_watch = [] {};
+
+/// A car in front of a slot on the right that takes a few changes.
+struct Place {
+    Case asked;
+    snug::Car car;
+    snug::Slot slot;
+    Problem problem;
+
+    explicit Place(const Case& from)
+        : asked(from),
+          car(from.car),
+          slot({.length = from.slot.length, .width = from.slot.width}),
+          problem(entering_problem(car, slot, snug::Enter::backward, from.clearance)) {}
+};
+
+std::vector<Place> places(int count) {
+    std::vector<Place> found;
+    for (std::uint64_t i = 0; static_cast<int>(found.size()) < count; ++i) {
+        Case asked = oracle::random_case(11, i);
+        if (asked.kind != "tight" && asked.kind != "thin" && asked.kind != "roomy") continue;
+        asked.enter = snug::Enter::backward;
+        found.emplace_back(asked);
+    }
+    return found;
+}
+
+std::vector<snug::Point> grown_frame(const Place& place, const Pose& pose, double by) {
+    snug::CarDimensions grown = place.asked.car;
+    grown.front += by;
+    grown.rear += by;
+    grown.width += 2.0 * by;
+    const auto corners = frame(snug::Car(grown), pose);
+    return {corners.begin(), corners.end()};
+}
+
+/// Somewhere parked, most often as high as can be.
+std::optional<Pose> parked(Random& random, const Place& place) {
+    Pose pose{0.0, 0.0, random.between(-0.3, 0.3) * (random.chance(0.5) ? 1.0 : 0.1)};
+    double top = -1e9, low = 1e9, left = 1e9, right = -1e9;
+    for (const snug::Point& p : grown_frame(place, pose, 0.0)) top = std::max(top, p.y);
+    for (const snug::Point& p : grown_frame(place, pose, place.asked.clearance)) {
+        low = std::min(low, p.y);
+        left = std::min(left, p.x);
+        right = std::max(right, p.x);
+    }
+    pose.y = -top - (random.chance(0.2) ? random.between(0.0, 0.1) : 0.0);
+    const double from = -place.slot.length() - left, to = -right;
+    if (from > to || pose.y + low < -place.slot.width()) return std::nullopt;
+    pose.x = from + (to - from) * std::clamp(random.between(-0.2, 1.2), 0.0, 1.0);
+    return pose;
+}
+
+TEST(LowerBound, NoRealMotionIsHigherThanItAllows) {
+    const int tries = snug::test::sample(400, 20000);
+    constexpr int most = 8;
+    Random random(3);
+    for (const Place& place : places(snug::test::sample(6, 40))) {
+        SCOPED_TRACE(oracle::command_line(place.asked));
+        const double spacing = random.between(1e-3, 8e-3) * place.car.length();
+        const Lattice lattice(place.problem, snug::Enter::backward, Bound::lower, spacing, {}, nullptr, no_watch);
+        for (const int first : {0, 1}) {
+            std::vector<Heights> levels;
+            std::vector<bool> out;
+            Heights heights(lattice);
+            heights.start_parked();
+            for (int k = 0; k <= most; ++k) {
+                out.push_back(heights.sweep((k + first) % 2 == 0 ? Direction::forward : Direction::backward, no_watch));
+                levels.push_back(heights);
+            }
+            for (int t = 0; t < tries; ++t) {
+                const std::optional<Pose> start = parked(random, place);
+                if (!start) continue;
+                Pose pose = *start;
+                bool gone = false;
+                for (int k = 0; k <= most && !gone; ++k) {
+                    const Direction direction = (k + first) % 2 == 0 ? Direction::forward : Direction::backward;
+                    // Left and then right climbs best; now and then anything else.
+                    const bool best = random.chance(0.8);
+                    const int pieces = best ? 2 : 1 + random.below(4);
+                    for (int piece = 0; piece < pieces && !gone; ++piece) {
+                        const double limit = place.car.max_steer();
+                        const double steering = best                 ? (piece == 0 ? limit : -limit)
+                                                : random.chance(0.7) ? (random.chance(0.5) ? limit : -limit)
+                                                                     : random.between(-1.0, 1.0) * limit;
+                        const auto met =
+                            first_contact(place.car, place.slot, pose, direction, steering, place.asked.clearance);
+                        double length = std::min(met.distance, 2.0);
+                        if (random.chance(best && piece == 0 ? 1.0 : 0.4)) length *= random.unit();
+                        const int steps = std::max(2, static_cast<int>(length / spacing));
+                        for (int i = 0; i <= steps && !gone; ++i) {
+                            const Pose at = drive(place.car, pose, direction, steering, length * i / steps);
+                            const double c = std::cos(at.heading), s = std::sin(at.heading);
+                            const double side = place.problem.touching.left;
+                            gone = std::abs(at.heading) > 1.3 ||
+                                   at.x + place.problem.touching.front * c + side * s > 1e-6 ||
+                                   at.x - place.problem.touching.rear * c + side * s < -place.slot.length() - 1e-6;
+                            if (gone) break;
+                            const double across = place.problem.radius * s;
+                            const int a = static_cast<int>(std::floor((at.x - across) / spacing + 0.5));
+                            const int b = static_cast<int>(std::floor((at.x + across) / spacing + 0.5));
+                            ASSERT_LE(at.y + place.problem.radius * c,
+                                      levels[static_cast<std::size_t>(k)].at(a + b, b - a) + 1e-12)
+                                << "after " << k << " changes at " << at.x << ' ' << at.y << ' ' << at.heading;
+                        }
+                        pose = drive(place.car, pose, direction, steering, length);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Lowest free height, by clipping the frame to the blocks.
+double lowest_free(const Place& place, double x, double heading) {
+    const std::vector<snug::Point> corners = grown_frame(place, {x, 0.0, heading}, place.asked.clearance);
+    double needed = -1e9;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const snug::Point p = corners[i], q = corners[(i + 1) % corners.size()];
+        needed = std::max(needed, -place.slot.width() - p.y);
+        if (p.x > 0.0 || p.x < -place.slot.length()) needed = std::max(needed, -p.y);
+        for (const double wall : {0.0, -place.slot.length()}) {
+            if ((p.x < wall) == (q.x < wall)) continue;
+            needed = std::max(needed, -(p.y + (q.y - p.y) * (wall - p.x) / (q.x - p.x)));
+        }
+    }
+    return needed;
+}
+
+TEST(UpperBound, APlainLoopGivesTheSameHeights) {
+    for (const Place& place : places(snug::test::sample(4, 40))) {
+        SCOPED_TRACE(oracle::command_line(place.asked));
+        const double spacing = 1e-2 * place.car.length();
+        const double radius = place.problem.radius;
+        const Lattice lattice(place.problem, snug::Enter::backward, Bound::upper, spacing, {}, nullptr, no_watch);
+        Heights heights(lattice);
+        heights.start_parked();
+        std::map<std::pair<int, int>, double> plain;  // y + r cos(heading) by row and column
+        const int first_row = lattice.rows().first;
+        const int rows = static_cast<int>(lattice.rows().windows.size());
+        const auto cosine = [&](int d) { return std::sqrt(1.0 - lattice.sine(d) * lattice.sine(d)); };
+        const auto value = [&](int s, int d) {
+            const auto found = plain.find({s, d});
+            return found == plain.end() ? nowhere : found->second;
+        };
+        const auto columns = [&](int s) {
+            const Window& window = lattice.rows().windows[static_cast<std::size_t>(s - first_row)];
+            return std::pair{column_of_cell(s, window.from), column_of_cell(s, window.to)};
+        };
+        const auto needed = [&](int s, int d) {
+            return std::isfinite(lattice.needed(s, d))
+                       ? lowest_free(place, lattice.x(s), std::asin(lattice.sine(d))) + radius * cosine(d)
+                       : 1e9;
+        };
+        for (int s = first_row; s < first_row + rows; ++s)
+            for (auto [d, last] = columns(s); d <= last; d += 2)
+                if (heights.at(s, d) > nowhere) plain[{s, d}] = heights.at(s, d);
+        for (int k = 0; k < 4; ++k) {
+            const Direction direction = k % 2 == 0 ? Direction::forward : Direction::backward;
+            heights.sweep(direction, no_watch);
+            for (int i = 1; i + 1 < rows; ++i) {
+                const int s = direction == Direction::forward ? first_row + i : first_row + rows - 1 - i;
+                const int before = direction == Direction::forward ? s - 1 : s + 1;
+                for (auto [d, last] = columns(s); d <= last; d += 2) {
+                    const int turned_right = direction == Direction::forward ? d + 1 : d - 1;
+                    const int turned_left = direction == Direction::forward ? d - 1 : d + 1;
+                    const double z =
+                        std::max({value(s, d), value(before, turned_left),
+                                  value(before, turned_right) + 2.0 * radius * (cosine(d) - cosine(turned_right))});
+                    plain[{s, d}] = z >= needed(s, d) - 1e-9 ? z : nowhere;
+                }
+            }
+            for (const auto& [node, z] : plain) {
+                const double fast = heights.at(node.first, node.second);
+                if (std::abs(z - needed(node.first, node.second)) < 1e-8) continue;  // either will do
+                ASSERT_NEAR(std::max(z, -1e3), std::max(fast, -1e3), 1e-9) << node.first << ' ' << node.second;
+            }
+        }
+    }
+}
+
+}  // namespace
