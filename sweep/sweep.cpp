@@ -8,6 +8,7 @@
 #include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <mutex>
@@ -116,7 +117,7 @@ Slots slots_by_stepping(detail::Sought sought, const Car& car, double given, con
     Slots slots(rising.size());
     std::size_t open = rising.size();  // counts without a slot yet, the smaller ones
     for (double i = 0.0; open > 0 && least + i * step <= most; ++i) {
-        const double size = least + i * step;
+        const double size = std::round((least + i * step) * 1e12) / 1e12;  // 4.674, not 4.6739999999999995
         const Slot slot({.length = length ? size : given, .width = length ? given : size});
         question.max_changes = rising[open - 1];
         const EntryAnswer found = entry(car, slot, question);
