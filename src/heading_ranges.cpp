@@ -265,6 +265,8 @@ private:
         double b = right.heading;
         Sample at_a = quantity(move(left, n));
         Sample at_b = quantity(move(right, n));
+        Run before;
+        Run after;
         const bool left_is_out = at_a.value > 0.0;
         double two_ago = 16.0 * (b - a);
         double one_ago = two_ago;
@@ -280,22 +282,27 @@ private:
             two_ago = one_ago;
             one_ago = width;
             if (next <= a || next >= b) break;
-            const Run run = follow_to(next, n);
+            const bool nearly_there = std::abs(step) < 1e3 * least_gap;  // then the run is kept
+            const std::size_t kept = moves_.size();
+            const Run run = nearly_there ? follow(next, limit_) : follow_to(next, n);
             const Sample value = quantity(move(run, n));
-            moves_.resize(mark);
-            if (std::isnan(value.value)) {  // another event in between: leave it to the recursion
+            const bool other_event = std::isnan(value.value) || (nearly_there && run.changes < static_cast<int>(n));
+            if (!nearly_there || other_event) moves_.resize(kept);
+            if (other_event) {  // leave it to the recursion
                 return split(left, right, (next - left.heading) / (right.heading - left.heading));
             }
             if ((value.value > 0.0) == left_is_out) {
                 a = next;
                 at_a = value;
+                before = nearly_there ? run : Run();
             } else {
                 b = next;
                 at_b = value;
+                after = nearly_there ? run : Run();
             }
         }
-        const Run before = follow(a, limit_);
-        const Run after = follow(b, limit_);
+        if (before.count == 0) before = follow(a, limit_);
+        if (after.count == 0) after = follow(b, limit_);
         explore(left, before);
         emit(before);
         explore(after, right);
