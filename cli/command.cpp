@@ -23,6 +23,7 @@ struct Subcommand {
 constexpr Subcommand subcommands[] = {
     {"entry", "From where to enter a slot, and what to do move by move.", parse_entry},
     {"min-slot", "How small a slot may be, for so many direction changes.", parse_min_slot},
+    {"leave", "How a parked car gets out with the fewest direction changes.", parse_leave},
     {"cars", "The cars snug knows, and what a car file says.", parse_cars},
     {"paper", "The paper's figures and claims again, beside the exact answers.", parse_paper},
 };

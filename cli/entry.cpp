@@ -100,6 +100,32 @@ std::string written(Format format, const EntryQuestion& question, const EntryAns
     return entry_text(question, answer);
 }
 
+/// --strategy fewest: another question, with a maneuver and no ranges of headings.
+Action fewest_action(const Options& options, const EntryQuestion& question) {
+    if (options.typed("--min-range") != nullptr)
+        throw Error("--min-range asks for ranges of headings, but fewest has none; leave it out or change --strategy");
+    FewestOptions asked = fewest_options(options);
+    asked.progress = show_progress();
+    const Format chosen = format(options);
+    if (chosen == Format::csv)
+        throw Error("--format: csv lists ranges of headings, but fewest has none; write text or json");
+    return [question, asked, chosen, picture = picture(options), path = output(options)] {
+        const FewestAnswer answer = fewest(question.car, question.slot, asked);
+        if (asked.progress) wipe_progress();
+        if (picture) {
+            EntryAnswer as_entry;
+            as_entry.parkable = answer.direction_changes.has_value();
+            as_entry.direction_changes = answer.direction_changes;
+            as_entry.maneuver = answer.maneuver;
+            write_file("--draw", picture->path, drawn(*picture, question, as_entry));
+        }
+        put_out(path, chosen == Format::json
+                          ? write(as_json(question.car, question.slot, question.options.max_changes, answer))
+                          : fewest_text(question, asked.max_changes, answer));
+        return exit_code(answer);
+    };
+}
+
 }  // namespace
 
 std::string entry_csv(const EntryAnswer& answer) {
@@ -130,6 +156,8 @@ Action parse_entry(const Arguments& arguments) {
     }
     const Car the_car = car(options);
     const EntryQuestion question = {the_car, slot(options, the_car), entry_options(options)};
+    if (const std::string* name = options.typed("--strategy"); name != nullptr && *name == "fewest")
+        return fewest_action(options, question);
     static_cast<void>(threads(options));  // one heading after the other is fast enough
     return [question, picture = picture(options), format = format(options), path = output(options)] {
         const EntryAnswer answer = entry(question.car, question.slot, question.options);

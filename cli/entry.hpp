@@ -4,6 +4,7 @@
 #include <string>
 
 #include "snug/entry.hpp"
+#include "snug/fewest.hpp"
 
 namespace snug::cli {
 
@@ -15,6 +16,12 @@ struct EntryQuestion {
 
 /// What a person needs: where to put the car, how exactly, and move by move what to do. At most 80 columns.
 std::string entry_text(const EntryQuestion& question, const EntryAnswer& answer);
+
+/// The same for the fewest changes over all maneuvers, and what is proved.
+std::string fewest_text(const EntryQuestion& question, int max_changes, const FewestAnswer& answer);
+
+/// How to leave, move by move, and what is proved.
+std::string leave_text(const EntryQuestion& question, int max_changes, const FewestAnswer& answer);
 
 /// One row per range of entry headings.
 std::string entry_csv(const EntryAnswer& answer);

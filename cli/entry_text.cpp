@@ -152,13 +152,13 @@ std::string steering(const Car& car, double angle) {
     return full ? "full " + side : side + " " + fixed(std::abs(angle) / degree, 1) + " deg";
 }
 
-std::string moves(const EntryQuestion& question, const Maneuver& maneuver) {
+std::string moves(const EntryQuestion& question, const Maneuver& maneuver, const std::string& at_last) {
     const double clearance = question.options.clearance;
     Rows rows = {{"", "drive", "steering", "distance", "until"}};
     for (const Move& move : maneuver.moves) {
         std::string until = "stop here";
         if (&move == &maneuver.moves.back()) {
-            until = "stop: parked";
+            until = at_last;
         } else if (move.contact) {
             until = std::string(to_string(move.contact->part)) + (clearance > 0.0 ? " nears " : " meets ") +
                     neighbour(move.contact->obstacle);
@@ -216,10 +216,50 @@ std::string entry_text(const EntryQuestion& question, const EntryAnswer& answer)
     std::string text = name(question.car) + " parks in " + slot_words(question.slot) + "\nwith " +
                        changes(answer.direction_changes.value_or(0)) + ".\n";
     if (answer.maneuver) {
-        text +=
-            entry_position(question, answer) + moves(question, *answer.maneuver) + result(question, *answer.maneuver);
+        text += entry_position(question, answer) + moves(question, *answer.maneuver, "stop: parked") +
+                result(question, *answer.maneuver);
     }
     return text + ranges(answer);
+}
+
+namespace {
+
+std::string proof(const FewestAnswer& answer) {
+    if (!answer.direction_changes) return "";
+    const std::string fewer = "No maneuver has fewer";
+    if (answer.proved) return "\n" + fewer + ": proved.\n";
+    return "\n" + fewer + " than " + std::to_string(answer.lower_bound) + "; whether " +
+           std::to_string(answer.lower_bound) + (*answer.direction_changes - answer.lower_bound > 1 ? " or more" : "") +
+           " would do is not known.\n";
+}
+
+std::string no_way(const EntryQuestion& question, const char* what, int max_changes, const FewestAnswer& answer) {
+    const std::string car_and_slot =
+        name(question.car) + (answer.proved ? " cannot " : " may ") + what + " " + slot_words(question.slot) + ":\n";
+    const std::string lacking = words(shortfall(question.car, question.slot, question.options.clearance));
+    if (!lacking.empty()) return car_and_slot + "the slot is " + lacking + " for the car.\n";
+    const std::string most = (max_changes == 0 ? "" : "up to ") + changes(max_changes);
+    if (answer.proved) return car_and_slot + "no maneuver whatsoever does with " + most + ", which is proved.\n";
+    return car_and_slot + "no maneuver was found with " + most + ", but only fewer than " +
+           changes(answer.lower_bound) + "\nare proved impossible.\n";
+}
+
+}  // namespace
+
+std::string fewest_text(const EntryQuestion& question, int max_changes, const FewestAnswer& answer) {
+    if (!answer.maneuver) return no_way(question, "park in", max_changes, answer);
+    EntryAnswer as_entry;
+    as_entry.parkable = true;
+    as_entry.direction_changes = answer.direction_changes;
+    as_entry.maneuver = answer.maneuver;
+    return entry_text(question, as_entry) + proof(answer);
+}
+
+std::string leave_text(const EntryQuestion& question, int max_changes, const FewestAnswer& answer) {
+    if (!answer.maneuver) return no_way(question, "leave", max_changes, answer);
+    return name(question.car) + " leaves " + slot_words(question.slot) + "\nwith " +
+           changes(*answer.direction_changes) + ".\n" + moves(question, *answer.maneuver, "the way is free") +
+           proof(answer);
 }
 
 }  // namespace snug::cli

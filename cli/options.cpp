@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "check.hpp"
+#include "cli/command.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "snug/io.hpp"
@@ -177,10 +178,11 @@ void add_driving(Options& options) {
 
 void add_strategy(Options& options) {
     options.group("Strategy");
-    options.add(
-        "--strategy", "NAME",
-        "max-steer (default): full steering until contact,\nexactly; stepping: the same in small "
-        "steps;\nreversed-trials, parallel-trials: from a goal, as\nthe planners the paper compares itself with.");
+    options.add("--strategy", "NAME",
+                "max-steer (default): full steering until contact,\nexactly; fewest: over all maneuvers, with proof;\n"
+                "stepping: max-steer in small steps;\nreversed-trials, parallel-trials: from a goal, as\n"
+                "the planners the paper compares itself with.");
+    add_fewest(options);
     options.add("--step", "M", "stepping: path of one step [m] (0.001).");
     options.add("--heading-step", "RAD", "stepping: between entry headings [rad] (0.0001).");
     options.add("--stop", "WHEN",
@@ -188,6 +190,11 @@ void add_strategy(Options& options) {
     options.add("--goal", "X,Y,HEADING",
                 "trials: where the rear axle ends up, in the world\n[m, rad] (reversed-trials: at the entry side "
                 "and\nthe rear neighbour; parallel-trials: anywhere).");
+}
+
+void add_fewest(Options& options) {
+    options.add("--resolution", "M", "fewest: finest lattice [m] (a ten-thousandth of the\ncar's length).");
+    options.add("--time-limit", "S", "fewest: end with the bounds found by then [s].");
 }
 
 void add_output(Options& options) {
@@ -242,15 +249,16 @@ Enter enter(const Options& options) {
 
 Strategy strategy(const Options& options) {
     const std::size_t chosen =
-        options.choice("--strategy", {"max-steer", "stepping", "reversed-trials", "parallel-trials"});
+        options.choice("--strategy", {"max-steer", "stepping", "reversed-trials", "parallel-trials", "fewest"});
     const auto belongs_to = [&options](const char* option, bool here, const char* strategies) {
         if (!here && options.typed(option) != nullptr)
             throw Error(std::string(option) + " belongs to --strategy " + strategies +
                         "; leave it out or give that strategy");
     };
     for (const char* option : {"--step", "--heading-step", "--stop"}) belongs_to(option, chosen == 1, "stepping");
-    belongs_to("--goal", chosen >= 2, "reversed-trials or parallel-trials");
-    if (chosen == 0) return MaxSteer{};
+    for (const char* option : {"--resolution", "--time-limit"}) belongs_to(option, chosen == 4, "fewest");
+    belongs_to("--goal", chosen == 2 || chosen == 3, "reversed-trials or parallel-trials");
+    if (chosen == 0 || chosen == 4) return MaxSteer{};
     if (chosen == 2) return ReversedTrials{.goal = goal(options)};
     if (chosen == 3) return ParallelTrials{.goal = goal(options)};
     Stepping stepping;
@@ -258,6 +266,21 @@ Strategy strategy(const Options& options) {
     stepping.heading_step = options.number("--heading-step", stepping.heading_step, 1e-6, quarter_turn, " rad");
     stepping.stop = options.choice("--stop", {"contact", "inside"}) == 0 ? StopRule::contact : StopRule::inside;
     return stepping;
+}
+
+FewestOptions fewest_options(const Options& options) {
+    FewestOptions fewest;
+    if (const std::string* text = options.typed("--max-changes"))
+        fewest.max_changes = whole_number("--max-changes", *text, 0, 1000);
+    fewest.clearance = clearance(options);
+    fewest.enter = options.typed("--enter") == nullptr ? Enter::backward : enter(options);
+    fewest.resolution = options.number("--resolution", 0.0, 1e-9, longest, " m");
+    fewest.time_limit = options.number("--time-limit", fewest.time_limit, 0.0, 1e9, " s");
+    return fewest;
+}
+
+int exit_code(const FewestAnswer& answer) {
+    return answer.direction_changes ? solved : answer.proved ? cannot_park : undecided;
 }
 
 Format format(const Options& options) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "snug/entry.hpp"
+#include "snug/fewest.hpp"
 
 namespace snug::cli {
 
@@ -45,6 +46,7 @@ void add_car(Options& options);
 void add_slot(Options& options);
 void add_driving(Options& options);   // clearance, enter
 void add_strategy(Options& options);  // strategy and its steps
+void add_fewest(Options& options);    // what the search over all maneuvers is limited to
 void add_output(Options& options);    // format, output
 void add_threads(Options& options);
 
@@ -53,9 +55,13 @@ Car car(const Options& options);
 Slot slot(const Options& options, const Car& car);
 double clearance(const Options& options);
 Enter enter(const Options& options);
-Strategy strategy(const Options& options);
+Strategy strategy(const Options& options);  // max-steer for --strategy fewest, which is no strategy of entry()
+FewestOptions fewest_options(const Options& options);
 Format format(const Options& options);
 int threads(const Options& options);
+
+/// How the command ends with that answer.
+int exit_code(const FewestAnswer& answer);
 
 /// The file of `-o`, which can be written as far as one can tell before the work; empty for standard output.
 std::string output(const Options& options);

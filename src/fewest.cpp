@@ -1,14 +1,16 @@
 #include "snug/fewest.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "check.hpp"
 #include "entering.hpp"
 #include "fewest_search.hpp"
 #include "snug/entry.hpp"
+#include "snug/min_slot.hpp"
 
 namespace snug {
 
@@ -30,14 +32,15 @@ bool nose_stays_in(const Maneuver& maneuver, const Slot& slot, double clearance)
     });
 }
 
+LeavingQuestion entering_question(const Car& car, const Slot& slot, Enter enter, double clearance) {
+    return {Ground(car, slot, enter, clearance), entering_problem(car, slot, enter, clearance),
+            [](Heights& heights) { heights.start_parked(); }};
+}
+
 }  // namespace
 
 FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& options) {
-    check_between("maximum of direction changes", options.max_changes, 0.0, 1000.0, "");
-    check_between("clearance", options.clearance, 0.0, 1e6, " m");
-    check_between("resolution", options.resolution, 0.0, 1e6, " m");
-    check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
-
+    check(options);
     FewestAnswer answer;
     const Shortfall lacks = shortfall(car, slot, options.clearance);
     if (lacks.length > 0.0 || lacks.width > 0.0) {
@@ -45,20 +48,10 @@ FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& optio
         answer.proved = true;
         return answer;
     }
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point begin = Clock::now();
-    const Watch watch = [&] {
-        if (std::chrono::duration<double>(Clock::now() - begin).count() > options.time_limit) throw GivenUp{};
-        if (options.progress && !options.progress(0.0)) throw GivenUp{};
-    };
-
-    LeavingQuestion question{Ground(car, slot, options.enter, options.clearance),
-                             entering_problem(car, slot, options.enter, options.clearance),
-                             options.enter,
-                             [](Heights& heights) { heights.start_parked(); },
-                             {},
-                             options.max_changes,
-                             options.resolution};
+    const Watch watch = watch_of(options);
+    LeavingQuestion question = entering_question(car, slot, options.enter, options.clearance);
+    question.max_changes = options.max_changes;
+    question.resolution = options.resolution;
     LeavingBounds bounds;
     // The paper's strategy is exact where it is best.
     EntryOptions with_full_steering;
@@ -73,22 +66,83 @@ FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& optio
         if (options.roomiest) make_roomier(question, bounds, watch);
     } catch (const GivenUp&) {  // the bounds are what is known
     }
+    answer = answer_of(question, std::move(bounds), car, slot, true);
+    if (answer.direction_changes && !answer.maneuver) answer.maneuver = std::move(max_steer.maneuver);
+    return answer;
+}
 
-    answer.direction_changes = bounds.upper;
-    answer.lower_bound = bounds.lower;
-    answer.proved = bounds.meet() || bounds.lower > options.max_changes;
-    answer.spacing = bounds.spacing;
-    if (bounds.upper && bounds.moves.empty()) {
-        answer.maneuver = std::move(max_steer.maneuver);
-    } else if (bounds.upper) {
-        for (Move& move : bounds.moves) {
-            move.direction = entering_direction(options.enter, move.direction);
-            move.steering_angle = slot.mirrored(move.steering_angle);
-            move.start = to_world(slot, options.enter, move.start);
-            move.end = to_world(slot, options.enter, move.end);
-            if (move.contact) move.contact = to_world(slot, options.enter, *move.contact);
+FewestLength min_length_fewest(const Car& car, double width, const FewestLengthOptions& options) {
+    check_between("slot width", width, 1e-6, 1e6, " m");
+    check_between("extra length to search", options.longest, 0.0, 1e6, " m");
+    check_between("precision", options.precision, 1e-9, 1e6, " m");
+    FewestOptions of_each;
+    of_each.max_changes = options.max_changes;
+    of_each.clearance = options.clearance;
+    of_each.resolution = options.resolution;
+    of_each.progress = options.progress;
+    check(of_each);
+    const Watch watch = watch_of(of_each);
+
+    const double shortest = car.length() + 2.0 * options.clearance;
+    const double longest = car.length() + options.longest;
+    FewestLength answer;
+    answer.length_lower = shortest;
+    if (width < car.width() + options.clearance || longest < shortest) {
+        answer.length_lower = std::max(shortest, longest);
+        return answer;
+    }
+    enum class Verdict { parks, impossible, undecided };
+    const auto verdict = [&](double length) {
+        LeavingQuestion question =
+            entering_question(car, Slot({.length = length, .width = width}), options.enter, options.clearance);
+        question.max_changes = options.max_changes;
+        question.resolution = options.resolution > 0.0 ? options.resolution : 5e-4 * car.length();
+        question.finish = Finish::checked;
+        question.any_upper_will_do = true;
+        LeavingBounds bounds;
+        bounds.upper = options.max_changes + 1;
+        narrow(question, bounds, watch);
+        if (!bounds.moves.empty()) return Verdict::parks;
+        return bounds.lower > options.max_changes ? Verdict::impossible : Verdict::undecided;
+    };
+    try {
+        if (options.enter == Enter::backward) {  // the paper's strategy is a start
+            const std::optional<MinSlot> full_steering = min_length(
+                car, width,
+                {.max_changes = options.max_changes, .clearance = options.clearance, .longest = options.longest});
+            if (full_steering) answer.length = full_steering->length;
         }
-        answer.maneuver = Maneuver{car, std::move(bounds.moves)};
+        double open = answer.length.value_or(longest);  // not known to be impossible
+        if (!answer.length) {
+            switch (verdict(longest)) {
+                case Verdict::parks: answer.length = longest; break;
+                case Verdict::impossible: answer.length_lower = longest; return answer;
+                case Verdict::undecided: break;
+            }
+        }
+        // Monotone: a longer slot holds the shorter one's maneuvers. First where it is surely impossible, then, above what
+        // stays undecided, where it is sure to work.
+        double undecided = shortest;
+        while (open - answer.length_lower > options.precision) {
+            const double middle = (answer.length_lower + open) / 2.0;
+            switch (verdict(middle)) {
+                case Verdict::parks: answer.length = open = middle; break;
+                case Verdict::impossible: answer.length_lower = middle; break;
+                case Verdict::undecided:
+                    undecided = std::max(undecided, middle);
+                    open = middle;
+                    break;
+            }
+        }
+        while (answer.length && *answer.length - std::max(undecided, answer.length_lower) > options.precision) {
+            const double middle = (*answer.length + std::max(undecided, answer.length_lower)) / 2.0;
+            if (verdict(middle) == Verdict::parks) {
+                answer.length = middle;
+            } else {
+                undecided = middle;
+            }
+        }
+    } catch (const GivenUp&) {  // as far as it got
     }
     return answer;
 }

@@ -165,7 +165,7 @@ class Smoother {
 public:
     explicit Smoother(const Ground& ground) : ground_(ground), radius_(ground.car.turning_radius()) {}
 
-    std::vector<Move> entering(const LatticePath& path) const;
+    [[nodiscard]] std::vector<Move> leaving(const LatticePath& path, Finish finish) const;
 
 private:
     [[nodiscard]] Characteristic characteristic(const Pose& pose) const {
@@ -401,7 +401,7 @@ bool Smoother::start_lower(Plan& plan) const {
     });
 }
 
-std::vector<Move> Smoother::entering(const LatticePath& path) const {
+std::vector<Move> Smoother::leaving(const LatticePath& path, Finish finish) const {
     if (path.legs.empty()) return {};
     const Characteristic first = path.legs.front().points.front();
     Plan plan;
@@ -421,31 +421,41 @@ std::vector<Move> Smoother::entering(const LatticePath& path) const {
     const Characteristic end = points.back();
     const double short_of_p = std::max(0.0, -corner(pose).x) * 2.0 + 1e-3 * radius_;
     points.push_back({pose.heading >= 0.0 ? end.a + short_of_p : end.a, end.b + short_of_p});
-    if (driven(plan).empty()) return {};
+    moves = driven(plan);
+    if (finish == Finish::checked || moves.empty()) return moves;
     drop_points(plan);
     // Whoever passes above p may climb less.
-    if (!shorten_last_backward(plan) && !turn_right_earlier(plan)) start_lower(plan);
-    moves = driven(plan);
+    if (finish == Finish::at_p && !shorten_last_backward(plan) && !turn_right_earlier(plan)) start_lower(plan);
+    return driven(plan);
+}
 
-    std::reverse(moves.begin(), moves.end());
-    for (Move& move : moves) {
+}  // namespace
+
+std::vector<Move> leaving_moves(const Ground& ground, const LatticePath& path, Finish finish) {
+    return Smoother(ground).leaving(path, finish);
+}
+
+std::vector<Move> turned_round(const std::vector<Move>& moves) {
+    std::vector<Move> turned(moves.rbegin(), moves.rend());
+    for (Move& move : turned) {
         move.direction = reverse_of(move.direction);
         std::swap(move.start, move.end);
-        const FirstContact met = first_contact(ground_.car, ground_.slot, move.start, move.direction,
-                                               move.steering_angle, ground_.clearance);
+    }
+    return turned;
+}
+
+std::vector<Move> with_contacts(const Ground& ground, std::vector<Move> moves) {
+    for (Move& move : moves) {
+        const FirstContact met =
+            first_contact(ground.car, ground.slot, move.start, move.direction, move.steering_angle, ground.clearance);
+        move.contact.reset();
         if (std::abs(met.distance - move.length) <= touching) move.contact = met.contact;
     }
     return moves;
 }
 
-}  // namespace
-
-std::vector<Move> entering_moves(const Ground& ground, const LatticePath& path) {
-    return Smoother(ground).entering(path);
-}
-
-bool begin_at_p(const Ground& ground, const std::vector<Move>& moves) {
-    const Point corner = right_corner(ground, moves.front().start, ground.car.front());
+bool ends_at_p(const Ground& ground, const std::vector<Move>& moves) {
+    const Point corner = right_corner(ground, moves.back().end, ground.car.front());
     return std::hypot(corner.x, corner.y) <= touching;
 }
 

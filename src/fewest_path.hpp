@@ -49,12 +49,24 @@ struct Ground {
     Ground(const Car& asked, const Slot& asked_slot, Enter way_in, double keeps);
 };
 
-/// The path as few pieces, entering: the way out turned round, in the entering frame. It begins with the front-right
-/// corner of the frame (grown by the clearance) at p if it can, else above it. Empty when the way out that the lattice
-/// shows meets something between its points.
-std::vector<Move> entering_moves(const Ground& ground, const LatticePath& path);
+/// How much is made of a path.
+enum class Finish {
+    checked,  ///< free of contact, pieces as they come
+    tidy,     ///< few pieces
+    at_p,     ///< few pieces, and the front-right corner of the frame (grown by the clearance) passes p if it can
+};
 
-/// Whether they begin with the corner at p.
-bool begin_at_p(const Ground& ground, const std::vector<Move>& moves);
+/// The path as pieces that meet nothing, up to where that corner is level with p and the way on is free. Empty when the
+/// way out that the lattice shows meets something between its points.
+std::vector<Move> leaving_moves(const Ground& ground, const LatticePath& path, Finish finish);
+
+/// The same way driven back.
+std::vector<Move> turned_round(const std::vector<Move>& moves);
+
+/// The moves with the contacts that end them.
+std::vector<Move> with_contacts(const Ground& ground, std::vector<Move> moves);
+
+/// Whether the way out ends with the corner at p.
+bool ends_at_p(const Ground& ground, const std::vector<Move>& moves);
 
 }  // namespace snug::detail

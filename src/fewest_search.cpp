@@ -1,14 +1,19 @@
 #include "fewest_search.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "check.hpp"
+#include "entering.hpp"
 
 namespace snug::detail {
 
 namespace {
 
+constexpr double most_changes = 1000.0;
 constexpr double usual_part = 1e-4;  ///< of the car's length: the usual resolution
 constexpr double coarsest_part = 1.0 / 128;
 constexpr double well_known = 1.0 / 1000;  ///< of the car's length: the next lattice shows what the finest takes
@@ -54,8 +59,8 @@ double coarsest(const LeavingQuestion& question) {
 
 /// Changes after which the coarsest lattice lets the car get out, if within the allowed ones.
 std::optional<int> first_guess(const LeavingQuestion& question, const Watch& watch) {
-    const Lattice lower(question.problem, question.enter, Bound::lower, coarsest(question), question.anchor, nullptr,
-                        watch);
+    const Lattice lower(question.problem, question.ground.enter, Bound::lower, coarsest(question), question.anchor,
+                        nullptr, watch);
     return run_chain(lower, question, question.max_changes, false, watch).out;
 }
 
@@ -74,7 +79,7 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
                             spelled(question.resolution * std::sqrt(memory * finer * finer / most_memory)) + " m");
             if (memory > most_memory) return true;
         }
-        const Lattice lower(question.problem, question.enter, Bound::lower, spacing, question.anchor,
+        const Lattice lower(question.problem, question.ground.enter, Bound::lower, spacing, question.anchor,
                             reached ? &*reached : nullptr, watch);
         Chain chain = run_chain(lower, question, last, true, watch);
         bounds.spacing = spacing;
@@ -93,13 +98,13 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
         for (int k = changes.value_or(last + 1); k <= std::min(last, changes.value_or(0) + 1); ++k) {
             const std::optional<LatticePath> path = path_along(upper, question.start, k, watch);
             std::vector<Move> moves;
-            if (path) moves = entering_moves(question.ground, *path);
+            if (path) moves = leaving_moves(question.ground, *path, question.finish);
             if (moves.empty()) continue;
             bounds.moves = std::move(moves);
             bounds.upper = Maneuver{question.ground.car, bounds.moves}.direction_changes();
             break;
         }
-        if (bounds.meet()) return true;
+        if (bounds.meet() || (question.any_upper_will_do && !bounds.moves.empty())) return true;
     }
     return true;
 }
@@ -129,7 +134,7 @@ void make_roomier(const LeavingQuestion& question, LeavingBounds& bounds, const 
     std::optional<Rows> reached;
     double spacing = coarsest(question);
     for (; spacing > std::max(0.999 * finest(question), 2e-4 * car.length()); spacing /= 2.0) {
-        const Lattice lower(question.problem, question.enter, Bound::lower, spacing, question.anchor,
+        const Lattice lower(question.problem, question.ground.enter, Bound::lower, spacing, question.anchor,
                             reached ? &*reached : nullptr, watch);
         reached = run_chain(lower, question, changes, true, watch).reached;
         if (spacing > 1e-3 * car.length()) continue;
@@ -149,13 +154,50 @@ void make_roomier(const LeavingQuestion& question, LeavingBounds& bounds, const 
             const double middle = (kept + too_much) / 2.0;
             (try_keeping(middle) ? kept : too_much) = middle;
         }
-        std::vector<Move> moves = entering_moves(question.ground, *best);
+        std::vector<Move> moves = leaving_moves(question.ground, *best, question.finish);
         if (moves.empty()) continue;
-        const bool worse_entry =
-            !begin_at_p(question.ground, moves) && (bounds.moves.empty() || begin_at_p(question.ground, bounds.moves));
+        const bool worse_entry = question.finish == Finish::at_p && !ends_at_p(question.ground, moves) &&
+                                 (bounds.moves.empty() || ends_at_p(question.ground, bounds.moves));
         if (!worse_entry) bounds.moves = std::move(moves);
         return;
     }
+}
+
+void check(const FewestOptions& options) {
+    check_between("maximum of direction changes", options.max_changes, 0.0, most_changes, "");
+    check_between("clearance", options.clearance, 0.0, 1e6, " m");
+    check_between("resolution", options.resolution, 0.0, 1e6, " m");
+    check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
+}
+
+Watch watch_of(const FewestOptions& options) {
+    using Clock = std::chrono::steady_clock;
+    return [&options, begin = Clock::now()] {
+        if (std::chrono::duration<double>(Clock::now() - begin).count() > options.time_limit) throw GivenUp{};
+        if (options.progress && !options.progress(0.0)) throw GivenUp{};
+    };
+}
+
+FewestAnswer answer_of(const LeavingQuestion& question, LeavingBounds bounds, const Car& car, const Slot& slot,
+                       bool driven_in) {
+    FewestAnswer answer;
+    answer.direction_changes = bounds.upper;
+    answer.lower_bound = bounds.lower;
+    answer.proved = bounds.meet() || bounds.lower > question.max_changes;
+    answer.spacing = bounds.spacing;
+    if (bounds.moves.empty()) return answer;
+    const Enter enter = question.ground.enter;
+    std::vector<Move> moves =
+        with_contacts(question.ground, driven_in ? turned_round(bounds.moves) : std::move(bounds.moves));
+    for (Move& move : moves) {
+        move.direction = entering_direction(enter, move.direction);
+        move.steering_angle = slot.mirrored(move.steering_angle);
+        move.start = to_world(slot, enter, move.start);
+        move.end = to_world(slot, enter, move.end);
+        if (move.contact) move.contact = to_world(slot, enter, *move.contact);
+    }
+    answer.maneuver = Maneuver{car, std::move(moves)};
+    return answer;
 }
 
 }  // namespace snug::detail

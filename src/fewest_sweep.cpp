@@ -14,7 +14,7 @@ namespace snug::detail::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <Above above>
+template <Above Rule>
 void sweep_cells(double* row, const double* left, const double* right, const double* keep, const double* from_left,
                  const double* from_right, const double* needed, const double* ceiling, std::size_t count) {
     const hn::CappedTag<double, 8> tag;
@@ -25,8 +25,8 @@ void sweep_cells(double* row, const double* left, const double* right, const dou
         const auto from_one = hn::Add(hn::LoadU(tag, left + i), hn::LoadU(tag, from_left + i));
         const auto from_other = hn::Add(hn::LoadU(tag, right + i), hn::LoadU(tag, from_right + i));
         auto highest = hn::Max(stays, hn::Max(from_one, from_other));
-        if constexpr (above == Above::lowered) highest = hn::Min(highest, hn::LoadU(tag, ceiling + i));
-        if constexpr (above == Above::dropped)
+        if constexpr (Rule == Above::lowered) highest = hn::Min(highest, hn::LoadU(tag, ceiling + i));
+        if constexpr (Rule == Above::dropped)
             highest = hn::IfThenElse(hn::Gt(highest, hn::LoadU(tag, ceiling + i)), nowhere, highest);
         highest = hn::IfThenElse(hn::Ge(highest, hn::LoadU(tag, needed + i)), highest, nowhere);
         if (i + lanes <= count) {

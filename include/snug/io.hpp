@@ -2,10 +2,12 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "snug/entry.hpp"
+#include "snug/fewest.hpp"
 
 namespace snug {
 
@@ -28,6 +30,11 @@ Json as_json(const Move& move);
 Json as_json(const Maneuver& maneuver);
 /// The answer of `snug entry --format json`.
 Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const EntryAnswer& answer);
+
+/// The answer of `snug entry --strategy fewest --format json`, with `proved` and `lower_bound`. `max_changes` as asked.
+Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const FewestAnswer& answer);
+/// The answer of `snug leave --format json`.
+Json leave_as_json(const Car& car, const Slot& slot, const FewestAnswer& answer);
 
 /// "max-steer", "stepping", "reversed-trials", "parallel-trials"
 std::string_view to_string(const Strategy& strategy);

@@ -8,6 +8,7 @@
 #include "snug/error.hpp"
 #include "snug/fewest.hpp"
 #include "snug/geometry.hpp"
+#include "snug/leave.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
 #include "snug/min_slot.hpp"

@@ -82,7 +82,7 @@ TEST(BadInput, NumbersOutOfRange) {
 TEST(BadInput, WordsThatAreNotKnown) {
     expect_refusal(run(zoe + "--side rigth"), {"--side", "right or left"});
     expect_refusal(run(zoe + "--enter sideways"), {"--enter", "backward or forward"});
-    expect_refusal(run(zoe + "--strategy fewest"), {"--strategy", "max-steer", "stepping"});
+    expect_refusal(run(zoe + "--strategy fastest"), {"--strategy", "max-steer", "stepping"});
     expect_refusal(run(zoe + "--format xml"), {"--format", "text, json or csv"});
     expect_refusal(run(zoe + "--strategy stepping --stop never"), {"--stop", "contact or inside"});
     expect_refusal(run("entry --car renault-zo --length 5 --width 2"), {"--car", "renault-zo", "renault-zoe"});

@@ -1,0 +1,36 @@
+// The answers of the search over all maneuvers as JSON objects, key by key as documented.
+#include <nlohmann/json.hpp>
+
+#include "snug/io.hpp"
+
+namespace snug {
+
+namespace {
+
+void add_bounds(Json& json, const FewestAnswer& answer) {
+    if (answer.direction_changes) json["direction_changes"] = *answer.direction_changes;
+    json["proved"] = answer.proved;
+    json["lower_bound"] = answer.lower_bound;
+}
+
+}  // namespace
+
+Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const FewestAnswer& answer) {
+    Json json = {{"schema", 1},          {"car", as_json(car)},    {"slot", as_json(slot)},
+                 {"strategy", "fewest"}, {"max_changes", nullptr}, {"parkable", nullptr}};
+    if (max_changes) json["max_changes"] = *max_changes;
+    if (answer.direction_changes || answer.proved) json["parkable"] = answer.direction_changes.has_value();
+    add_bounds(json, answer);
+    json["entry_ranges"] = Json::array();
+    if (answer.maneuver) json["maneuver"] = as_json(*answer.maneuver);
+    return json;
+}
+
+Json leave_as_json(const Car& car, const Slot& slot, const FewestAnswer& answer) {
+    Json json = {{"schema", 1}, {"car", as_json(car)}, {"slot", as_json(slot)}};
+    add_bounds(json, answer);
+    if (answer.maneuver) json["maneuver"] = as_json(*answer.maneuver);
+    return json;
+}
+
+}  // namespace snug

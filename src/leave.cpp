@@ -1,0 +1,86 @@
+#include "snug/leave.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "check.hpp"
+#include "entering.hpp"
+#include "fewest_search.hpp"
+
+namespace snug {
+
+namespace {
+
+using namespace detail;
+
+constexpr double quarter_turn = 1.57079632679489661923;
+
+Box box_of(const Car& car, const Pose& pose) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Box box{infinity, -infinity, infinity, -infinity};
+    for (const Point& corner : frame(car, pose)) {
+        box.x_min = std::min(box.x_min, corner.x);
+        box.x_max = std::max(box.x_max, corner.x);
+        box.y_min = std::min(box.y_min, corner.y);
+        box.y_max = std::max(box.y_max, corner.y);
+    }
+    return box;
+}
+
+void check_parked(const Ground& ground, const Pose& pose) {
+    if (!(std::abs(pose.heading) < quarter_turn))
+        throw Error("the car is parked " + spelled(std::abs(pose.heading)) +
+                    " rad off the slot's heading, but must be less than a quarter turn off");
+    const double rounding = 1e-9 * ground.car.length();
+    const Box box = box_of(ground.car, pose);
+    const double keeps = ground.clearance;
+    const double out = std::max({box.y_max, box.x_max + keeps, -ground.slot.length() - box.x_min + keeps,
+                                 -ground.slot.width() - box.y_min + keeps});
+    if (out > rounding)
+        throw Error("the parked car sticks " + spelled(out) + " m out of the slot" +
+                    (keeps > 0.0 ? " or into its clearance" : "") + ", but must be inside");
+}
+
+}  // namespace
+
+Pose parked_pose(const Car& car, const Slot& slot, const ParkedGaps& gaps) {
+    check_between("gap to the front neighbour", gaps.front, 0.0, 1e6, " m");
+    check_between("gap to the curb", gaps.curb, 0.0, 1e6, " m");
+    check_between("heading of the parked car", gaps.heading, -1e9, 1e9, " rad");
+    const Box box = box_of(car, {0.0, 0.0, gaps.heading});
+    return slot.to_world(Pose{-gaps.front - box.x_max, gaps.curb - slot.width() - box.y_min, gaps.heading});
+}
+
+FewestAnswer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOptions& options) {
+    check(options);
+    for (const double value : {pose.x, pose.y, pose.heading})
+        check_between("pose of the parked car", value, -1e9, 1e9, "");
+    const Ground ground(car, slot, options.enter, options.clearance);
+    Pose start = slot.to_slot(pose);
+    start.heading = std::remainder(start.heading, 4.0 * quarter_turn);
+    if (options.enter == Enter::forward) start = {-slot.length() - start.x, start.y, -start.heading};
+    check_parked(ground, start);
+
+    const double radius = car.turning_radius();
+    // Above what rounding may have put into the curb.
+    const double z = start.y + radius * std::cos(start.heading) + 1e-10 * car.length();
+    const LeavingQuestion question{ground,
+                                   entering_problem(car, slot, options.enter, options.clearance),
+                                   [z](Heights& heights) { heights.start_at(0, 0, z); },
+                                   {start.x, std::sin(start.heading)},
+                                   options.max_changes,
+                                   options.resolution,
+                                   Finish::tidy};
+    LeavingBounds bounds;
+    const Watch watch = watch_of(options);
+    try {
+        narrow(question, bounds, watch);
+        if (options.roomiest) make_roomier(question, bounds, watch);
+    } catch (const GivenUp&) {  // the bounds are what is known
+    }
+    return answer_of(question, std::move(bounds), car, slot, false);
+}
+
+}  // namespace snug

@@ -1,0 +1,84 @@
+// `snug entry --strategy fewest` and `snug leave`: the form of their answers, exit codes and bad input.
+#include <nlohmann/json.hpp>
+
+#include "process.hpp"
+#include "snug/io.hpp"
+
+namespace snug::test {
+namespace {
+
+const std::string entry = "entry --car renault-zoe --strategy fewest --length ";
+const std::string leave = "leave --car renault-zoe --length 5 --width 2 ";
+
+TEST(FewestCommand, AnswersWithManeuverAndProof) {
+    const Result result = run(entry + "5.2 --width 1.9 --format json");
+    EXPECT_EQ(result.exit_code, 0);
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["strategy"], "fewest");
+    EXPECT_EQ(json["max_changes"], nullptr);
+    EXPECT_EQ(json["parkable"], true);
+    EXPECT_EQ(json["direction_changes"], 2);
+    EXPECT_EQ(json["proved"], true);
+    EXPECT_EQ(json["lower_bound"], 2);
+    EXPECT_TRUE(json["entry_ranges"].empty());
+    EXPECT_EQ(json["maneuver"]["direction_changes"], 2);
+}
+
+TEST(FewestCommand, TooFewChangesAreProvedTooFew) {
+    const Result result = run(entry + "5.2 --width 1.9 --format json --max-changes 1");
+    EXPECT_EQ(result.exit_code, 1);
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["max_changes"], 1);
+    EXPECT_EQ(json["parkable"], false);
+    EXPECT_EQ(json["proved"], true);
+    EXPECT_EQ(json["lower_bound"], 2);
+    EXPECT_FALSE(json.contains("direction_changes"));
+    EXPECT_FALSE(json.contains("maneuver"));
+}
+
+TEST(FewestCommand, WithoutTimeNothingIsDecided) {
+    const Result result = run(entry + "4.8 --width 1.84 --format json --time-limit 0");
+    EXPECT_EQ(result.exit_code, 3);
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["parkable"], nullptr);
+    EXPECT_EQ(json["proved"], false);
+}
+
+TEST(FewestCommand, AnswersInWords) {
+    const Result result = run(entry + "5.2 --width 1.9");
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.out.find("2 direction changes"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("proved"), std::string::npos) << result.out;
+}
+
+TEST(FewestCommand, BadInputIsRefused) {
+    const std::string slot = "5.2 --width 1.9 ";
+    expect_refusal(run(entry + slot + "--resolution 0"), {"--resolution"});
+    expect_refusal(run(entry + slot + "--time-limit -1"), {"--time-limit"});
+    expect_refusal(run(entry + slot + "--min-range 0.1"), {"--min-range", "fewest"});
+    expect_refusal(run(entry + slot + "--format csv"), {"--format", "csv"});
+    expect_refusal(run("entry --car renault-zoe --length 5 --width 2 --resolution 0.01"), {"--resolution", "fewest"});
+    expect_refusal(run(entry + "4.8 --width 1.84 --resolution 1e-6"), {"resolution", "GB"});
+}
+
+TEST(LeaveCommand, AnswersWithManeuverAndProof) {
+    const Result result = run(leave + "--gap-front 0.3 --gap-curb 0.1 --format json");
+    EXPECT_EQ(result.exit_code, 0);
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["direction_changes"], 5);
+    EXPECT_EQ(json["lower_bound"], 5);
+    EXPECT_EQ(json["proved"], true);
+    EXPECT_EQ(json["maneuver"]["moves"].back()["direction"], "forward");
+    EXPECT_NE(run(leave + "--gap-front 0.3 --gap-curb 0.1").out.find("leaves"), std::string::npos);
+}
+
+TEST(LeaveCommand, BadInputIsRefused) {
+    expect_refusal(run(leave + "--gap-curb 0.1"), {"--gap-front"});
+    expect_refusal(run(leave + "--gap-front 0.3"), {"--gap-curb"});
+    expect_refusal(run(leave + "--gap-front 2 --gap-curb 0.1"), {"sticks", "out of the slot"});
+    expect_refusal(run(leave + "--gap-front 0.3 --gap-curb 0.1 --car-heading 1.6"), {"--car-heading"});
+    expect_refusal(run(leave + "--gap-front 0.3 --gap-curb 0.1 --clearance 0.2"), {"clearance"});
+}
+
+}  // namespace
+}  // namespace snug::test

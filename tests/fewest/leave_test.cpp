@@ -1,0 +1,116 @@
+// Getting out, and how short a slot may be, over all maneuvers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "oracle/follower.hpp"
+#include "sample.hpp"
+#include "snug/snug.hpp"
+
+namespace {
+
+using snug::Car;
+using snug::FewestAnswer;
+using snug::FewestOptions;
+using snug::Pose;
+using snug::Slot;
+
+TEST(Leave, FromTheGoalOfAnOptimalManeuverItTakesNoMoreChanges) {
+    int asked_for = 0;
+    for (std::uint64_t i = 0; asked_for < snug::test::sample(15, 500); ++i) {
+        const oracle::Case asked = oracle::random_case(23, i);
+        const Car car(asked.car);
+        const Slot slot(asked.slot);
+        FewestOptions options;
+        options.max_changes = 15;
+        options.clearance = asked.clearance;
+        options.enter = asked.enter;
+        options.resolution = 1e-3 * asked.car_length();
+        const FewestAnswer best = fewest(car, slot, options);
+        if (!best.direction_changes || std::abs(slot.to_slot(best.maneuver->goal()).heading) > 1.5) continue;
+        ++asked_for;
+        SCOPED_TRACE(oracle::command_line(asked));
+        const FewestAnswer out = leave(car, slot, best.maneuver->goal(), options);
+        EXPECT_LE(out.lower_bound, *best.direction_changes);
+        if (!out.direction_changes) continue;
+        EXPECT_GE(*out.direction_changes, best.lower_bound);
+        const snug::Maneuver& maneuver = *out.maneuver;
+        EXPECT_EQ(maneuver.direction_changes(), *out.direction_changes);
+        EXPECT_NEAR(maneuver.entry().x, best.maneuver->goal().x, 1e-8 * asked.car_length());
+        EXPECT_NEAR(maneuver.entry().y, best.maneuver->goal().y, 1e-8 * asked.car_length());
+        const auto problem =
+            oracle::make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter);
+        for (const snug::Move& move : maneuver.moves) {
+            const auto path = oracle::path_of(asked.slot, asked.car, move);
+            EXPECT_LE(oracle::deepest(problem.grown, problem.gap, path, move.length), 1e-8 * asked.car_length());
+        }
+    }
+}
+
+TEST(Leave, ParkedWithRoomItTakesFewChanges) {
+    const Car zoe = *snug::find_car("renault-zoe");
+    const Slot slot({.length = 5.0, .width = 2.0});
+    const FewestAnswer out = leave(zoe, slot, parked_pose(zoe, slot, {.front = 0.3, .curb = 0.1}));
+    EXPECT_EQ(out.direction_changes, 5);
+    EXPECT_TRUE(out.proved);
+}
+
+TEST(Leave, GapsSayWhereTheCarStands) {
+    const Car zoe = *snug::find_car("renault-zoe");
+    const Slot slot({.length = 5.0, .width = 2.0, .side = snug::Side::left, .corner = {3.0, 4.0}, .heading = 0.7});
+    for (const double heading : {0.0, 0.02, -0.02}) {
+        const Pose pose = slot.to_slot(parked_pose(zoe, slot, {.front = 0.3, .curb = 0.05, .heading = heading}));
+        EXPECT_NEAR(pose.heading, heading, 1e-12);
+        double foremost = -1e9, lowest = 1e9;
+        for (const snug::Point& corner : frame(zoe, pose)) {
+            foremost = std::max(foremost, corner.x);
+            lowest = std::min(lowest, corner.y);
+        }
+        EXPECT_NEAR(foremost, -0.3, 1e-12);
+        EXPECT_NEAR(lowest, -1.95, 1e-12);
+    }
+}
+
+TEST(Leave, ACarThatIsNotParkedIsRefused) {
+    const Car zoe = *snug::find_car("renault-zoe");
+    const Slot slot({.length = 5.0, .width = 2.0});
+    EXPECT_THROW(leave(zoe, slot, Pose{0.0, 0.0, 0.0}), snug::Error);
+    EXPECT_THROW(leave(zoe, slot, parked_pose(zoe, slot, {.front = 2.0, .curb = 0.1})), snug::Error);
+    EXPECT_THROW(leave(zoe, slot, Pose{-3.8, -1.0, 3.14159}), snug::Error);
+    EXPECT_THROW(leave(zoe, slot, Pose{std::nan(""), -1.0, 0.0}), snug::Error);
+    FewestOptions careful;
+    careful.clearance = 0.2;
+    EXPECT_THROW(leave(zoe, slot, parked_pose(zoe, slot, {.front = 0.3, .curb = 0.1}), careful), snug::Error);
+}
+
+TEST(MinLength, IsDemonstratedAboveAndImpossibleBelow) {
+    const Car zoe = *snug::find_car("renault-zoe");
+    double last_length = 1e9;
+    for (const int changes : {0, 2, 4}) {
+        snug::FewestLengthOptions options;
+        options.max_changes = changes;
+        options.resolution = 4e-3;
+        const snug::FewestLength found = min_length_fewest(zoe, 1.9, options);
+        ASSERT_TRUE(found.length);
+        EXPECT_LT(found.length_lower, *found.length);
+        EXPECT_LT(*found.length - found.length_lower, 0.03);
+        EXPECT_LT(*found.length, last_length);
+        last_length = *found.length;
+        const auto full_steering = min_length(zoe, 1.9, {.max_changes = changes});
+        EXPECT_LE(*found.length, full_steering->length);
+        EXPECT_GE(full_steering->length, found.length_lower);
+        FewestOptions there;
+        there.max_changes = changes;
+        const FewestAnswer parks = fewest(zoe, Slot({.length = *found.length + 1e-9, .width = 1.9}), there);
+        EXPECT_TRUE(parks.direction_changes);
+    }
+}
+
+TEST(MinLength, IsEmptyWhereTheCarIsTooWide) {
+    const snug::FewestLength found = min_length_fewest(*snug::find_car("renault-zoe"), 1.7, {});
+    EXPECT_FALSE(found.length);
+}
+
+}  // namespace
