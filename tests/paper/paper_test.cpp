@@ -155,6 +155,9 @@ void expect_every_car_in_the_table() {
     const std::string& text = bytes("extra_lengths.md");
     EXPECT_EQ(text.find("nan"), text.npos);
     for (const Car& car : catalogue()) EXPECT_NE(text.find(car.name()), text.npos) << car.name();
+    const std::string readme = test::contents(std::filesystem::path(__FILE__).parent_path() / "../../README.md");
+    EXPECT_NE(readme.find(text.substr(text.find("| car"))), readme.npos) << "README.md shows another table than\n"
+                                                                         << text;
 }
 
 // One test, because each runs as a process of its own and computes everything.
