@@ -327,6 +327,59 @@ int answer_one(Question question, double length, double width, Format format, co
     return one.changes ? solved : cannot_park;
 }
 
+Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+
+std::string fewest_written(const Car& car, const std::vector<FewestLengthRow>& rows, Format format) {
+    if (format == Format::json) {
+        Json json = {{"schema", 1}, {"car", as_json(car)}, {"strategy", "fewest"}, {"rows", Json::array()}};
+        for (const FewestLengthRow& row : rows)
+            json["rows"].push_back({{"max_changes", row.max_changes},
+                                    {"width", row.width},
+                                    {"length", number_or_null(row.found.length)},
+                                    {"length_lower", row.found.length_lower}});
+        return write(json);
+    }
+    if (format == Format::csv) {
+        std::string text = "max_changes,width,length,length_lower\n";
+        for (const FewestLengthRow& row : rows)
+            text += std::to_string(row.max_changes) + ',' + write(row.width) + ',' +
+                    (row.found.length ? write(*row.found.length) : "") + ',' + write(row.found.length_lower) + '\n';
+        return text;
+    }
+    const auto up = [](double length) { return fixed(std::ceil(length * 1e3 - 1e-6) / 1e3, 3); };
+    const auto down = [](double length) { return fixed(std::floor(length * 1e3 + 1e-6) / 1e3, 3); };
+    std::vector<std::vector<std::string>> lines = {{"width", "changes", "impossible below", "parks in"}};
+    for (const FewestLengthRow& row : rows)
+        lines.push_back({fixed(row.width, 3), std::to_string(row.max_changes), down(row.found.length_lower),
+                         row.found.length ? up(*row.found.length) : "-"});
+    return name(car) + " (" + fixed(car.length(), 3) + " x " + fixed(car.width(), 3) +
+           " m): the shortest slot [m] over all maneuvers,\nby the slot's width [m] and the most direction changes "
+           "allowed\n\n" +
+           table(lines, "rrrr");
+}
+
+/// --strategy fewest: two lengths for each width and count.
+Action fewest_action(const Options& options, const Question& question) {
+    if (question.given == Given::length)
+        throw Error("--strategy: fewest finds lengths; give --width or --extra-width, and no lengths");
+    FewestLengthOptions asked;
+    asked.clearance = question.options.clearance;
+    asked.enter = question.options.enter;
+    asked.longest = question.options.longest;
+    asked.resolution = options.number("--resolution", 0.0, 1e-9, longest, " m");
+    return [question, asked, sizes = sizes(options, "width", question.car.width()), most = counts(options),
+            chosen = format(options), path = output(options)] {
+        SweepOptions sweep;
+        sweep.threads = question.threads;
+        sweep.progress = show_progress();
+        const std::vector<FewestLengthRow> rows = min_lengths_fewest(question.car, sizes, most, asked, sweep);
+        if (sweep.progress) wipe_progress();
+        put_out(path, fewest_written(question.car, rows, chosen));
+        const bool any = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.found.length; });
+        return any ? solved : cannot_park;
+    };
+}
+
 }  // namespace
 
 Action parse_min_slot(const Arguments& arguments) {
@@ -343,7 +396,9 @@ Action parse_min_slot(const Arguments& arguments) {
     add_driving(options);
     options.group("Strategy");
     options.add("--strategy", "NAME",
-                "max-steer (default): exactly; stepping: the paper's\nloop over slots, for comparison.");
+                "max-steer (default): exactly; fewest: over all\nmaneuvers, between two proved lengths; stepping: the\n"
+                "paper's loop over slots, for comparison.");
+    options.add("--resolution", "M", "fewest: finest lattice [m] (a two-thousandth of the\ncar's length).");
     options.add("--length-step", "M", "stepping: between the lengths tried [m] (0.01).");
     options.add("--width-step", "M", "stepping: between the widths tried [m] (0.01).");
     options.add("--step", "M", "stepping: path of one step [m] (0.001).");
@@ -365,6 +420,12 @@ Action parse_min_slot(const Arguments& arguments) {
     question.options = min_slot_options(options, the_car);
     if (options.typed("--threads") != nullptr) question.threads = threads(options);
     set_strategy(options, question);
+    if (const std::string* name = options.typed("--strategy"); name != nullptr && *name == "fewest") {
+        if (width && length) throw Error("--strategy: fewest finds lengths; leave out --length");
+        if (options.typed("--min-range") != nullptr)
+            throw Error("--min-range asks for headings, but fewest has none; leave it out or change --strategy");
+        return fewest_action(options, question);
+    }
     const Format chosen = format(options);
     if (width && length) {
         if (options.typed("--max-changes") != nullptr) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "snug/car.hpp"
+#include "snug/fewest.hpp"
 #include "snug/min_slot.hpp"
 #include "snug/stepping.hpp"
 
@@ -49,5 +50,20 @@ std::vector<MinSlotRow> min_widths_by_stepping(const Car& car, const std::vector
                                                const std::vector<int>& max_changes, const Stepping& stepping,
                                                double step, const MinSlotOptions& options = {},
                                                const SweepOptions& sweep = {});
+
+/// One point of a curve of shortest slots over all maneuvers.
+struct FewestLengthRow {
+    int max_changes = 0;
+    double width = 0.0;  ///< of the slot [m]
+    FewestLength found;
+};
+
+/// min_length_fewest() for every width and every maximum of direction changes, widths outside, counts inside.
+/// `options.max_changes` and `options.progress` are not looked at. Empty when the progress callback gave up. Throws
+/// Error when an option is impossible.
+std::vector<FewestLengthRow> min_lengths_fewest(const Car& car, const std::vector<double>& widths,
+                                                const std::vector<int>& max_changes,
+                                                const FewestLengthOptions& options = {},
+                                                const SweepOptions& sweep = {});
 
 }  // namespace snug

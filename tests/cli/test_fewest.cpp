@@ -61,6 +61,24 @@ TEST(FewestCommand, BadInputIsRefused) {
     expect_refusal(run(entry + "4.8 --width 1.84 --resolution 1e-6"), {"resolution", "GB"});
 }
 
+TEST(FewestCommand, ShortestSlotsLieBetweenTwoLengths) {
+    const std::string sizes =
+        "min-slot --car renault-zoe --strategy fewest --max-changes 2,0 --width 1.9:2:0.1 "
+        "--resolution 0.008 ";
+    const Result result = run(sizes + "--format json");
+    EXPECT_EQ(result.exit_code, 0);
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["strategy"], "fewest");
+    ASSERT_EQ(json["rows"].size(), 4U);
+    EXPECT_EQ(json["rows"][0]["max_changes"], 2);
+    EXPECT_EQ(json["rows"][2]["width"], 2.0);
+    for (const Json& row : json["rows"]) EXPECT_LT(row["length_lower"], row["length"]);
+    EXPECT_LT(json["rows"][0]["length"], json["rows"][1]["length"]);
+    EXPECT_EQ(run(sizes + "--format csv").out.substr(0, 37), "max_changes,width,length,length_lower");
+    expect_refusal(run("min-slot --car renault-zoe --strategy fewest --max-changes 2 --length 5"),
+                   {"--strategy", "fewest"});
+}
+
 TEST(LeaveCommand, AnswersWithManeuverAndProof) {
     const Result result = run(leave + "--gap-front 0.3 --gap-curb 0.1 --format json");
     EXPECT_EQ(result.exit_code, 0);
