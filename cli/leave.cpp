@@ -2,7 +2,6 @@
 #include "snug/leave.hpp"
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "cli/command.hpp"
 #include "cli/entry.hpp"
@@ -59,7 +58,7 @@ Action parse_leave(const Arguments& arguments) {
     ParkedGaps gaps;
     gaps.front = gap(options, "--gap-front");
     gaps.curb = gap(options, "--gap-curb");
-    gaps.heading = options.number("--car-heading", 0.0, -std::numbers::pi / 2.0, std::numbers::pi / 2.0, " rad");
+    gaps.heading = options.number("--car-heading", 0.0, -1.3, 1.3, " rad");
     const Format chosen = format(options);
     if (chosen == Format::csv) throw Error("--format: csv has rows of ranges, but leave has none; write text or json");
     std::string picture;

@@ -128,6 +128,10 @@ public:
         const Window& window = rows_.windows[static_cast<std::size_t>(i)];
         return cell_of_column(column) >= window.from && cell_of_column(column) <= window.to;
     }
+    /// Whether the slot may be deep enough to park at the headings next to upright that the lattice leaves out.
+    [[nodiscard]] bool may_park_upright() const {
+        return problem_.width >= (problem_.parked.front + problem_.parked.rear) * (1.0 - 7.0 * sine_step_);
+    }
     /// Lowest free position. [m]
     [[nodiscard]] double needed(int row, int column) const { return needed_[index(row, cell_of_column(column))]; }
 

@@ -163,7 +163,8 @@ struct Plan {
 
 class Smoother {
 public:
-    explicit Smoother(const Ground& ground) : ground_(ground), radius_(ground.car.turning_radius()) {}
+    Smoother(const Ground& ground, const Watch& watch)
+        : ground_(ground), watch_(watch), radius_(ground.car.turning_radius()) {}
 
     [[nodiscard]] std::vector<Move> leaving(const LatticePath& path, Finish finish) const;
 
@@ -197,6 +198,7 @@ private:
     bool start_lower(Plan& plan) const;
 
     const Ground& ground_;
+    const Watch& watch_;
     double radius_;
 };
 
@@ -230,6 +232,7 @@ std::optional<Move> Smoother::piece(const Pose& from, Direction direction, const
 }
 
 bool Smoother::drive_leg(const LatticePath::Leg& leg, Pose& pose, std::vector<Move>& moves) const {
+    watch_();
     for (const Characteristic& to : leg.points) {
         const std::optional<Move> move = piece(pose, leg.direction, to);
         if (!move) return false;
@@ -431,8 +434,8 @@ std::vector<Move> Smoother::leaving(const LatticePath& path, Finish finish) cons
 
 }  // namespace
 
-std::vector<Move> leaving_moves(const Ground& ground, const LatticePath& path, Finish finish) {
-    return Smoother(ground).leaving(path, finish);
+std::vector<Move> leaving_moves(const Ground& ground, const LatticePath& path, Finish finish, const Watch& watch) {
+    return Smoother(ground, watch).leaving(path, finish);
 }
 
 std::vector<Move> turned_round(const std::vector<Move>& moves) {

@@ -58,7 +58,7 @@ enum class Finish {
 
 /// The path as pieces that meet nothing, up to where that corner is level with p and the way on is free. Empty when the
 /// way out that the lattice shows meets something between its points.
-std::vector<Move> leaving_moves(const Ground& ground, const LatticePath& path, Finish finish);
+std::vector<Move> leaving_moves(const Ground& ground, const LatticePath& path, Finish finish, const Watch& watch);
 
 /// The same way driven back.
 std::vector<Move> turned_round(const std::vector<Move>& moves);

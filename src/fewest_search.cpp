@@ -33,6 +33,7 @@ struct Chain {
 Chain run_chain(const Lattice& lattice, const LeavingQuestion& question, int last, bool on_when_out,
                 const Watch& watch) {
     Chain chain;
+    if (lattice.may_park_upright()) chain.out = 0;
     Heights heights(lattice);
     question.start(heights);
     for (int k = 0; k <= last; ++k) {
@@ -46,14 +47,20 @@ Chain run_chain(const Lattice& lattice, const LeavingQuestion& question, int las
     return chain;
 }
 
-double finest(const LeavingQuestion& question) {
-    return question.resolution > 0.0 ? question.resolution : usual_part * question.ground.car.length();
+/// No lattice is coarser: there the headings next to upright, which it leaves out, are few.
+double coarsest_sensible(const LeavingQuestion& question) {
+    return std::min(coarsest_part * question.ground.car.length(), question.problem.radius / 64.0);
 }
 
-/// The resolution times a power of two.
+double finest(const LeavingQuestion& question) {
+    const double usual = std::min(usual_part * question.ground.car.length(), question.problem.radius / 64.0);
+    return question.resolution > 0.0 ? std::min(question.resolution, coarsest_sensible(question)) : usual;
+}
+
+/// The finest times a power of two.
 double coarsest(const LeavingQuestion& question) {
     double spacing = finest(question);
-    while (spacing < coarsest_part * question.ground.car.length()) spacing *= 2.0;
+    while (2.0 * spacing <= coarsest_sensible(question)) spacing *= 2.0;
     return spacing;
 }
 
@@ -98,7 +105,7 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
         for (int k = changes.value_or(last + 1); k <= std::min(last, changes.value_or(0) + 1); ++k) {
             const std::optional<LatticePath> path = path_along(upper, question.start, k, watch);
             std::vector<Move> moves;
-            if (path) moves = leaving_moves(question.ground, *path, question.finish);
+            if (path) moves = leaving_moves(question.ground, *path, question.finish, watch);
             if (moves.empty()) continue;
             bounds.moves = std::move(moves);
             bounds.upper = Maneuver{question.ground.car, bounds.moves}.direction_changes();
@@ -154,7 +161,7 @@ void make_roomier(const LeavingQuestion& question, LeavingBounds& bounds, const 
             const double middle = (kept + too_much) / 2.0;
             (try_keeping(middle) ? kept : too_much) = middle;
         }
-        std::vector<Move> moves = leaving_moves(question.ground, *best, question.finish);
+        std::vector<Move> moves = leaving_moves(question.ground, *best, question.finish, watch);
         if (moves.empty()) continue;
         const bool worse_entry = question.finish == Finish::at_p && !ends_at_p(question.ground, moves) &&
                                  (bounds.moves.empty() || ends_at_p(question.ground, bounds.moves));

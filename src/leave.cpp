@@ -15,7 +15,8 @@ namespace {
 
 using namespace detail;
 
-constexpr double quarter_turn = 1.57079632679489661923;
+constexpr double full_turn = 6.28318530717958647693;
+constexpr double most_tilted = 1.3;  ///< the lattices leave out headings next to upright [rad]
 
 Box box_of(const Car& car, const Pose& pose) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -30,9 +31,9 @@ Box box_of(const Car& car, const Pose& pose) {
 }
 
 void check_parked(const Ground& ground, const Pose& pose) {
-    if (!(std::abs(pose.heading) < quarter_turn))
+    if (!(std::abs(pose.heading) <= most_tilted))
         throw Error("the car is parked " + spelled(std::abs(pose.heading)) +
-                    " rad off the slot's heading, but must be less than a quarter turn off");
+                    " rad off the slot's heading, but must be at most " + spelled(most_tilted) + " rad off");
     const double rounding = 1e-9 * ground.car.length();
     const Box box = box_of(ground.car, pose);
     const double keeps = ground.clearance;
@@ -59,7 +60,7 @@ FewestAnswer leave(const Car& car, const Slot& slot, const Pose& pose, const Few
         check_between("pose of the parked car", value, -1e9, 1e9, "");
     const Ground ground(car, slot, options.enter, options.clearance);
     Pose start = slot.to_slot(pose);
-    start.heading = std::remainder(start.heading, 4.0 * quarter_turn);
+    start.heading = std::remainder(start.heading, full_turn);
     if (options.enter == Enter::forward) start = {-slot.length() - start.x, start.y, -start.heading};
     check_parked(ground, start);
 
