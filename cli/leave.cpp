@@ -58,7 +58,7 @@ Action parse_leave(const Arguments& arguments) {
     ParkedGaps gaps;
     gaps.front = gap(options, "--gap-front");
     gaps.curb = gap(options, "--gap-curb");
-    gaps.heading = options.number("--car-heading", 0.0, -1.3, 1.3, " rad");
+    gaps.heading = options.number("--car-heading", 0.0, -1.2, 1.2, " rad");
     const Format chosen = format(options);
     if (chosen == Format::csv) throw Error("--format: csv has rows of ranges, but leave has none; write text or json");
     std::string picture;

@@ -57,9 +57,8 @@ Lattice::Lattice(const Problem& problem, Enter enter, Bound bound, double spacin
       anchor_(anchor),
       rounding_(4e-16 * (problem.length + problem.width + 4.0 * problem.radius + problem.touching.front +
                          problem.touching.rear + problem.touching.left)) {
-    // A cell reaches one column to either side, a term one more.
-    first_column_ = static_cast<int>(std::ceil((-1.0 - anchor.sine) / sine_step_)) + 3;
-    last_column_ = static_cast<int>(std::floor((1.0 - anchor.sine) / sine_step_)) - 3;
+    first_column_ = static_cast<int>(std::ceil((-steepest_sine - anchor.sine) / sine_step_));
+    last_column_ = static_cast<int>(std::floor((steepest_sine - anchor.sine) / sine_step_));
     measure_columns();
     find_rows(within_coarser);
     measure_rows(watch);

@@ -77,6 +77,10 @@ struct SweepTerms {
 /// Spare numbers around every row, because whole vectors are read.
 constexpr std::size_t row_padding = 16;
 
+/// Steeper headings are upright: the lattices end there, all at the same heading, so that what the coarse ones leave out no
+/// finer one needs. Spacings of at most a 64th of the turning radius keep the last cells and terms below the vertical.
+constexpr double steepest_sine = 0.96;
+
 /// Numbers of one column; heights as z. [m]
 struct Column {
     double start = 0.0;                       ///< highest parked position
@@ -130,7 +134,7 @@ public:
     }
     /// Whether the slot may be deep enough to park at the headings next to upright that the lattice leaves out.
     [[nodiscard]] bool may_park_upright() const {
-        return problem_.width >= (problem_.parked.front + problem_.parked.rear) * (1.0 - 7.0 * sine_step_);
+        return problem_.width >= (problem_.parked.front + problem_.parked.rear) * (steepest_sine - 4.0 * sine_step_);
     }
     /// Lowest free position. [m]
     [[nodiscard]] double needed(int row, int column) const { return needed_[index(row, cell_of_column(column))]; }

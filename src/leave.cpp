@@ -16,7 +16,7 @@ namespace {
 using namespace detail;
 
 constexpr double full_turn = 6.28318530717958647693;
-constexpr double most_tilted = 1.3;  ///< the lattices leave out headings next to upright [rad]
+constexpr double most_tilted = 1.2;  ///< the lattices leave out headings next to upright [rad]
 
 Box box_of(const Car& car, const Pose& pose) {
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -22,7 +22,7 @@ Pose parked_pose(const Car& car, const Slot& slot, const ParkedGaps& gaps);
 /// proof as for fewest(). The maneuver starts at the pose and ends in a forward move (`options.enter` forward: backward)
 /// where the frame's corner is level with the slot's and the way on is free.
 /// Throws Error when an option is impossible, when the car is not inside the slot or not `options.clearance` away from
-/// the neighbours and the curb, and when it is more than 1.3 rad off parallel.
+/// the neighbours and the curb, and when it is more than 1.2 rad off parallel.
 FewestAnswer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOptions& options = {});
 
 }  // namespace snug

@@ -82,7 +82,7 @@ TEST(LowerBound, NoRealMotionIsHigherThanItAllows) {
     Random random(3);
     for (const Place& place : places(snug::test::sample(6, 40))) {
         SCOPED_TRACE(oracle::command_line(place.asked));
-        const double spacing = random.between(1e-3, 8e-3) * place.car.length();
+        const double spacing = std::min(random.between(1e-3, 8e-3) * place.car.length(), place.problem.radius / 64.0);
         const Lattice lattice(place.problem, snug::Enter::backward, Bound::lower, spacing, {}, nullptr, no_watch);
         for (const int first : {0, 1}) {
             std::vector<Heights> levels;
@@ -117,7 +117,7 @@ TEST(LowerBound, NoRealMotionIsHigherThanItAllows) {
                             const Pose at = drive(place.car, pose, direction, steering, length * i / steps);
                             const double c = std::cos(at.heading), s = std::sin(at.heading);
                             const double side = place.problem.touching.left;
-                            gone = std::abs(at.heading) > 1.3 ||
+                            gone = std::abs(at.heading) > 1.2 ||
                                    at.x + place.problem.touching.front * c + side * s > 1e-6 ||
                                    at.x - place.problem.touching.rear * c + side * s < -place.slot.length() - 1e-6;
                             if (gone) break;
@@ -155,7 +155,7 @@ double lowest_free(const Place& place, double x, double heading) {
 TEST(UpperBound, APlainLoopGivesTheSameHeights) {
     for (const Place& place : places(snug::test::sample(4, 40))) {
         SCOPED_TRACE(oracle::command_line(place.asked));
-        const double spacing = 1e-2 * place.car.length();
+        const double spacing = std::min(1e-2 * place.car.length(), place.problem.radius / 64.0);
         const double radius = place.problem.radius;
         const Lattice lattice(place.problem, snug::Enter::backward, Bound::upper, spacing, {}, nullptr, no_watch);
         Heights heights(lattice);

@@ -29,7 +29,7 @@ TEST(Leave, FromTheGoalOfAnOptimalManeuverItTakesNoMoreChanges) {
         options.enter = asked.enter;
         options.resolution = 1e-3 * asked.car_length();
         const FewestAnswer best = fewest(car, slot, options);
-        if (!best.direction_changes || std::abs(slot.to_slot(best.maneuver->goal()).heading) > 1.5) continue;
+        if (!best.direction_changes || std::abs(slot.to_slot(best.maneuver->goal()).heading) > 1.2) continue;
         ++asked_for;
         SCOPED_TRACE(oracle::command_line(asked));
         const FewestAnswer out = leave(car, slot, best.maneuver->goal(), options);
