@@ -11,6 +11,7 @@ namespace snug::detail {
 
 namespace {
 
+constexpr std::size_t most_tries = 5000;
 constexpr double touching = 1e-9;  ///< closer to its end than this a move ends in contact [m]
 
 Direction direction_at(int level, int last) {
@@ -307,11 +308,13 @@ std::optional<LatticePath::Leg> Smoother::fewer_points(const LatticePath::Leg& l
 }
 
 void Smoother::drop_points(Plan& plan) const {
+    std::size_t tries = most_tries;  // of long ways each costs more than it gains
     bool dropped = true;
     while (dropped) {
         dropped = false;
         for (LatticePath::Leg& leg : plan.legs) {
             for (std::size_t i = 0; leg.points.size() > 1 && i + 1 < leg.points.size();) {
+                if (tries-- == 0) return;
                 const Characteristic point = leg.points[i];
                 leg.points.erase(leg.points.begin() + static_cast<std::ptrdiff_t>(i));
                 if (!driven(plan).empty()) {
@@ -327,7 +330,7 @@ void Smoother::drop_points(Plan& plan) const {
 
 bool Smoother::sink_to_p(Plan& plan, const std::function<Plan(double)>& less) const {
     double works = 1.0, fails = 0.0;
-    for (;;) {
+    for (int i = 0; i < 100; ++i) {
         const double middle = works + (fails - works) / 2.0;
         if (middle == works || middle == fails) break;
         (driven(less(middle)).empty() ? fails : works) = middle;
