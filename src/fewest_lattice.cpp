@@ -377,11 +377,9 @@ bool Heights::sweep(Direction direction, const Watch& watch) {
             sweep_cells(s, shared, direction, &z_[lattice.index(s - step, other.from)] + (left - other.from));
             sweep_cells(s, {shared.to + 1, window.to}, direction, nullptr);
         }
-        const std::size_t begin = lattice.index(s, window.from);
         updates_ += window.size();
-        const double* z = &z_[begin] - window.from;
-        while (!window.empty() && z[window.from] == nowhere) ++window.from;
-        while (!window.empty() && z[window.to] == nowhere) --window.to;
+        while (!window.empty() && z_[lattice.index(s, window.from)] == nowhere) ++window.from;
+        while (!window.empty() && z_[lattice.index(s, window.to)] == nowhere) --window.to;
         if (window.empty()) window = {};
         reached_.windows[row] = before = window;
     }
