@@ -11,8 +11,8 @@ namespace snug::detail {
 
 namespace {
 
-constexpr std::size_t most_tries = 5000;
-constexpr double touching = 1e-9;  ///< closer to its end than this a move ends in contact [m]
+constexpr std::size_t most_tries = 500'000;  ///< pieces driven to see which can be spared
+constexpr double touching = 1e-9;            ///< closer to its end than this a move ends in contact [m]
 
 Direction direction_at(int level, int last) {
     return (last - level) % 2 == 0 ? Direction::forward : Direction::backward;
@@ -308,7 +308,9 @@ std::optional<LatticePath::Leg> Smoother::fewer_points(const LatticePath::Leg& l
 }
 
 void Smoother::drop_points(Plan& plan) const {
-    std::size_t tries = most_tries;  // of long ways each costs more than it gains
+    std::size_t pieces = 0;
+    for (const LatticePath::Leg& leg : plan.legs) pieces += leg.points.size();
+    std::size_t tries = most_tries / std::max<std::size_t>(1, pieces);
     bool dropped = true;
     while (dropped) {
         dropped = false;
