@@ -23,6 +23,9 @@ test: check-format check-tidy build
 	cmake --preset sanitize
 	cmake --build --preset sanitize --parallel $(JOBS)
 	ctest --preset sanitize --parallel $(JOBS)
+	cmake --preset threads
+	cmake --build --preset threads --parallel $(JOBS)
+	ctest --preset threads
 
 # The random checks with their full number.
 soak: build
@@ -35,10 +38,18 @@ bench: setup
 
 # The pictures the README shows.
 pictures: setup
+	@setup/install.sh paper-packages.txt
 	cmake --preset release
 	cmake --build --preset release --parallel $(JOBS) --target snug_cli
-	@mkdir -p docs/pictures
+	@mkdir -p docs/pictures build/pictures
 	build/release/snug entry --car renault-zoe --length 4.5 --width 2.0 --draw docs/pictures/renault-zoe-4.5x2.0.png
+	build/release/snug entry --car renault-zoe --length 4.8 --width 1.84 --strategy fewest \
+	    --draw docs/pictures/renault-zoe-4.8x1.84-fewest.png
+	for car in mid-size renault-zoe opel-corsa vw-transporter mercedes-amg-gt; do for strategy in max-steer fewest; do \
+	    build/release/snug min-slot --car $$car --extra-width 0.04:0.48:0.04 --max-changes 1,2,5,10 --strategy $$strategy \
+	        $$(test $$strategy = fewest && echo --resolution 0.002) --format csv -o build/pictures/$$car-$$strategy.csv \
+	        || exit; done; done
+	/usr/bin/python3 paper/all_maneuvers.py build/pictures docs/pictures/minimum-slots.png
 
 # Every figure, table and claim of the paper again, in one report.
 paper: setup

@@ -25,11 +25,11 @@ namespace {
 char temporary[PATH_MAX];
 volatile std::sig_atomic_t temporary_exists = 0;
 
-extern "C" void on_signal(int) {
+extern "C" void on_signal(int number) {
     if (temporary_exists != 0) {
         unlink(temporary);
     }
-    _exit(130);
+    _exit(128 + number);  // as shells say it
 }
 
 std::string reason(int error) { return std::generic_category().message(error); }

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -55,9 +56,13 @@ private:
 /// Starts `snug` with the arguments; standard output goes to the file `out` ("-" leaves it closed).
 inline pid_t start(const std::vector<std::string>& arguments, const std::string& out, const std::string& err) {
     const pid_t child = fork();
+    if (child == -1) {
+        std::abort();  // never to be taken for the number of a process
+    }
     if (child != 0) {
         return child;
     }
+    std::signal(SIGINT, SIG_DFL);  // whatever the tests were started with
     const auto send = [](int stream, const std::string& file) {
         close(stream);
         if (file != "-" && open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600) != stream) {
