@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "snug/contact.hpp"
@@ -12,7 +13,10 @@ namespace snug::detail {
 namespace {
 
 constexpr std::size_t most_tries = 500'000;  ///< pieces driven to see which can be spared
-constexpr double touching = 1e-9;            ///< closer to its end than this a move ends in contact [m]
+constexpr int most_bridges = 20'000;         ///< short cuts looked for in a round
+constexpr std::size_t ways_across = 12;      ///< tried for each
+constexpr int most_rounds = 4;
+constexpr double touching = 1e-9;  ///< closer to its end than this a move ends in contact [m]
 
 Direction direction_at(int level, int last) {
     return (last - level) % 2 == 0 ? Direction::forward : Direction::backward;
@@ -162,6 +166,12 @@ struct Plan {
     std::vector<LatticePath::Leg> legs;  // their points without the start of the leg
 };
 
+std::size_t piece_count(const Plan& plan) {
+    std::size_t pieces = 0;
+    for (const LatticePath::Leg& leg : plan.legs) pieces += leg.points.size();
+    return pieces;
+}
+
 class Smoother {
 public:
     Smoother(const Ground& ground, const Watch& watch)
@@ -190,6 +200,19 @@ private:
     [[nodiscard]] Point corner(const Pose& pose) const { return right_corner(ground_, pose, ground_.car.front()); }
     /// Few points for a leg from here on.
     [[nodiscard]] std::optional<LatticePath::Leg> fewer_points(const LatticePath::Leg& leg, Pose pose) const;
+    /// Part of a plan that is free and gets out.
+    struct Piece {
+        Pose start, end;
+        double least = 0.0;  ///< the rest can be driven as planned from this height of its end on
+    };
+    /// The pieces of each leg, when the last may be so much lower.
+    [[nodiscard]] std::vector<std::vector<Piece>> pieces(const Plan& plan, double spare) const;
+    /// Replaces stretches of the plan by one piece or two that end high enough for all that follows.
+    void straighten(Plan& plan) const;
+    /// One piece from the pose, at the end of the leg's piece before `from`, to that of its piece `to`; else two by way of
+    /// a point between. It ends no lower than `least` and no higher than `most`, and of several it is the highest.
+    [[nodiscard]] std::optional<LatticePath::Leg> bridge(const LatticePath::Leg& leg, std::size_t from, std::size_t to,
+                                                         const Pose& pose, double least, double most) const;
     void drop_points(Plan& plan) const;
     /// Takes as little of something (all of it: 1) as still gets out. Returns whether the corner then passes p itself,
     /// and the plan for that.
@@ -307,10 +330,89 @@ std::optional<LatticePath::Leg> Smoother::fewer_points(const LatticePath::Leg& l
     return few;
 }
 
+std::optional<LatticePath::Leg> Smoother::bridge(const LatticePath::Leg& leg, std::size_t from, std::size_t to,
+                                                 const Pose& pose, double least, double most) const {
+    std::optional<LatticePath::Leg> best;
+    double highest = least;
+    const auto consider = [&](LatticePath::Leg way) {
+        Pose end = pose;
+        std::vector<Move> moves;
+        if (!drive_leg(way, end, moves) || end.y < highest || end.y > most) return;
+        highest = end.y;
+        best = std::move(way);
+    };
+    consider({leg.direction, {leg.points[to]}});
+    if (best || to - from < 2) return best;
+    const std::size_t step = std::max<std::size_t>(1, (to - from) / ways_across);
+    for (std::size_t by = from; by < to; by += step) consider({leg.direction, {leg.points[by], leg.points[to]}});
+    return best;
+}
+
+std::vector<std::vector<Smoother::Piece>> Smoother::pieces(const Plan& plan, double spare) const {
+    std::vector<std::vector<Piece>> all;
+    Pose pose = plan.start;
+    for (const LatticePath::Leg& leg : plan.legs) {
+        std::vector<Piece>& pieces = all.emplace_back();
+        for (const Characteristic& to : leg.points) {
+            const Pose start = pose;
+            if (const std::optional<Move> move = piece(start, leg.direction, to)) pose = move->end;
+            pieces.push_back({start, pose});
+        }
+    }
+    // From the last to the first: how much lower each can be driven.
+    double least = pose.y - spare;
+    for (std::size_t i = all.size(); i-- > 0;) {
+        const LatticePath::Leg& leg = plan.legs[i];
+        for (std::size_t j = leg.points.size(); j-- > 0;) {
+            Piece& at = all[i][j];
+            at.least = least + touching;
+            double lower = std::max(0.0, at.end.y - least);
+            for (; lower > touching; lower /= 4.0) {
+                const std::optional<Move> move =
+                    piece({at.start.x, at.start.y - lower, at.start.heading}, leg.direction, leg.points[j]);
+                if (move && free(*move)) break;
+            }
+            least = lower > touching ? at.start.y - lower : at.start.y;
+        }
+    }
+    return all;
+}
+
+void Smoother::straighten(Plan& plan) const {
+    const std::vector<Move> whole = driven(plan);
+    if (whole.empty()) return;
+    const std::vector<std::vector<Piece>> planned = pieces(plan, std::max(0.0, corner(whole.back().end).y));
+    Plan straight{plan.start, {}};
+    Pose pose = plan.start;
+    int tries = most_bridges;
+    for (std::size_t i = 0; i < planned.size(); ++i) {
+        const LatticePath::Leg& leg = plan.legs[i];
+        LatticePath::Leg& few = straight.legs.emplace_back(LatticePath::Leg{leg.direction, {}});
+        std::size_t last = leg.points.size();
+        if (i + 1 == planned.size())  // the piece that passes p stays
+            while (last > 0 && corner(planned[i][last - 1].end).x > -touching) --last;
+        std::size_t step = last;
+        for (std::size_t at = 0; at < leg.points.size(); at += step) {
+            std::optional<LatticePath::Leg> way;
+            step = at < last && tries > 0 ? std::min(2 * step, last - at) : 1;
+            for (; !way && step > 1; --tries) {
+                const Piece& to = planned[i][at + step - 1];
+                // Nose first the car must not come out again, so it stays below the planned way.
+                way = bridge(leg, at, at + step - 1, pose, to.least,
+                             ground_.enter == Enter::forward ? to.end.y : std::numeric_limits<double>::infinity());
+                if (!way) step = step > 2 ? (step + 1) / 2 : 1;
+            }
+            if (!way) way = LatticePath::Leg{leg.direction, {leg.points[at]}};
+            std::vector<Move> moves;
+            if (!drive_leg(*way, pose, moves)) return;
+            few.points.insert(few.points.end(), way->points.begin(), way->points.end());
+        }
+    }
+    if (!driven(straight).empty()) plan = std::move(straight);
+}
+
 void Smoother::drop_points(Plan& plan) const {
-    std::size_t pieces = 0;
-    for (const LatticePath::Leg& leg : plan.legs) pieces += leg.points.size();
-    std::size_t tries = most_tries / std::max<std::size_t>(1, pieces);
+    std::size_t tries = most_tries / std::max<std::size_t>(1, piece_count(plan));
     bool dropped = true;
     while (dropped) {
         dropped = false;
@@ -431,7 +533,12 @@ std::vector<Move> Smoother::leaving(const LatticePath& path, Finish finish) cons
     points.push_back({pose.heading >= 0.0 ? end.a + short_of_p : end.a, end.b + short_of_p});
     moves = driven(plan);
     if (finish == Finish::checked || moves.empty()) return moves;
-    drop_points(plan);
+    std::size_t before = piece_count(plan) + 1;
+    for (int round = 0; round < most_rounds && piece_count(plan) < before; ++round) {
+        before = piece_count(plan);
+        straighten(plan);
+        drop_points(plan);
+    }
     // Whoever passes above p may climb less.
     if (finish == Finish::at_p && !shorten_last_backward(plan) && !turn_right_earlier(plan)) start_lower(plan);
     return driven(plan);
