@@ -123,6 +123,18 @@ FewestLength min_length_fewest(const Car& car, double width, const FewestLengthO
         // Monotone: a longer slot holds the shorter one's maneuvers. First where it is surely impossible, then, above what
         // stays undecided, where it is sure to work.
         double undecided = shortest;
+        // What the paper's strategy needs is often all there is: look just below first, then farther and farther.
+        for (double below = 4.0 * options.precision; open - below > shortest; below *= 4.0) {
+            const double length = open - below;
+            const Verdict found = verdict(length);
+            if (found == Verdict::impossible) {
+                answer.length_lower = length;
+                break;
+            }
+            if (found == Verdict::parks) answer.length = length;
+            if (found == Verdict::undecided) undecided = std::max(undecided, length);
+            open = length;
+        }
         while (open - answer.length_lower > options.precision) {
             const double middle = (answer.length_lower + open) / 2.0;
             switch (verdict(middle)) {

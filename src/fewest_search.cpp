@@ -180,8 +180,9 @@ void check(const FewestOptions& options) {
 Watch watch_of(const FewestOptions& options) {
     using Clock = std::chrono::steady_clock;
     return [&options, begin = Clock::now()] {
-        if (std::chrono::duration<double>(Clock::now() - begin).count() > options.time_limit) throw GivenUp{};
-        if (options.progress && !options.progress(0.0)) throw GivenUp{};
+        const double part = std::chrono::duration<double>(Clock::now() - begin).count() / options.time_limit;
+        if (part > 1.0) throw GivenUp{};
+        if (options.progress && !options.progress(part)) throw GivenUp{};
     };
 }
 

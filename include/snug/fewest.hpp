@@ -21,7 +21,7 @@ struct FewestOptions {
     double resolution = 0.0;
     double time_limit = std::numeric_limits<double>::infinity();  ///< ends with the bounds found so far [s]
     bool roomiest = true;  ///< look for the roomiest maneuver; otherwise any with that many changes will do
-    /// Told the part done (0 to 1) from time to time; returning false ends with the bounds found so far.
+    /// Told the part of the time limit gone (0 to 1) from time to time; returning false ends with the bounds found so far.
     std::function<bool(double)> progress;
 };
 

@@ -1,0 +1,101 @@
+// What the fewest changes over all maneuvers cost: whole questions, and the inner loop beside a plain one over the
+// same row.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "fewest_lattice.hpp"
+#include "snug/snug.hpp"
+#include "snug/sweep.hpp"
+
+namespace snug {
+namespace {
+
+struct Case {
+    std::string name;
+    Car car;
+    Slot slot;
+};
+
+std::vector<Case> cases() {
+    const Car zoe = find_car("renault-zoe").value();
+    const Car mid_size = find_car("mid-size").value();
+    return {{"renault-zoe-4.5x2.0", zoe, Slot({.length = 4.5, .width = 2.0})},
+            {"mid-size-5.1x2.2", mid_size, Slot({.length = 5.1, .width = 2.2})},
+            {"renault-zoe-4.8x1.84", zoe, Slot({.length = 4.8, .width = 1.84})}};
+}
+
+void whole(benchmark::State& state, const Case& c) {
+    FewestAnswer answer;
+    for (auto _ : state) answer = fewest(c.car, c.slot);
+    state.counters["changes"] = answer.direction_changes.value_or(-1);
+    state.counters["proved"] = answer.proved;
+}
+
+/// One row of cells, as often as it takes: an item is a cell.
+struct Row {
+    static constexpr std::size_t cells = 256;
+    std::vector<double> row, left, right, keep, from_left, from_right, needed;
+
+    Row() {
+        const auto filled = [](double from, double by) {
+            std::vector<double> numbers(cells + detail::row_padding);
+            for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = from + by * static_cast<double>(i % 17);
+            return numbers;
+        };
+        row = filled(0.0, 1e-3), left = filled(1e-3, 7e-4), right = filled(2e-3, 5e-4), keep = filled(0.0, 0.0);
+        from_left = filled(1e-4, 1e-6), from_right = filled(-1e-4, 1e-6), needed = filled(-1.0, 1e-3);
+    }
+};
+
+void in_vectors(benchmark::State& state) {
+    Row r;
+    for (auto _ : state) {
+        detail::sweep_row(r.row.data(), r.left.data(), r.right.data(), r.keep.data(), r.from_left.data(),
+                          r.from_right.data(), r.needed.data(), detail::Above::allowed, nullptr, Row::cells);
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(Row::cells));
+}
+
+void plain(benchmark::State& state) {
+    Row r;
+    for (auto _ : state) {
+        for (std::size_t i = 0; i < Row::cells; ++i) {
+            const double highest =
+                std::max({r.row[i] + r.keep[i], r.left[i] + r.from_left[i], r.right[i] + r.from_right[i]});
+            r.row[i] = highest >= r.needed[i] ? highest : detail::Heights::nowhere;
+        }
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(Row::cells));
+}
+
+void shortest_slots(benchmark::State& state) {
+    const Car car = find_car("renault-zoe").value();
+    std::vector<double> widths;
+    for (int i = 1; i <= 30; ++i) widths.push_back(car.width() + 0.02 * i);
+    FewestLengthOptions options;
+    options.resolution = 2e-3;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(min_lengths_fewest(car, widths, {0, 1, 2, 3, 4, 5, 6, 8, 10, 20}, options));
+}
+
+[[maybe_unused]] const bool added = [] {
+    for (const Case& c : cases())
+        benchmark::RegisterBenchmark(("entry/fewest/" + c.name).c_str(), [c](benchmark::State& state) {
+            whole(state, c);
+        })->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark("sweep/vectors/256-cells", in_vectors);
+    benchmark::RegisterBenchmark("sweep/plain/256-cells", plain);
+    benchmark::RegisterBenchmark("min-slot/fewest/renault-zoe-30-widths", shortest_slots)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime()
+        ->Iterations(1);
+    return true;
+}();
+
+}  // namespace
+}  // namespace snug
