@@ -253,10 +253,10 @@ TEST(MinSlot, ATerminalIsToldTheTimeLeft) {
         said.append(part, static_cast<std::size_t>(count));
     }
     kill(child, SIGINT);
-    close(terminal);
+    EXPECT_EQ(wait_for(child), 130);
+    close(terminal);  // only now: a closed terminal is a signal, too
     EXPECT_NE(said.find('%'), std::string::npos) << said;
     EXPECT_NE(said.find("left"), std::string::npos) << said;
-    EXPECT_EQ(wait_for(child), 130);
 }
 
 }  // namespace
