@@ -26,9 +26,9 @@ struct MinSlot {
 };
 
 /// The shortest slot of the given width [m] in which the car parks with full steering and at most `max_changes` direction
-/// changes: the car parks in `length`, and in no shorter slot, to 1e-7 m. Empty when no length will do. A longer slot can be
-/// harder for some cars (docs/min-slot.md): then lengths that park may have gaps, and the shortest is found if they park
-/// over a hundredth of a metre or so.
+/// changes: the car parks in `length`, and in no shorter slot, to 1e-7 m, with dozens of changes to 1e-6 m. Empty when no
+/// length will do. A longer slot can be harder for some cars (docs/min-slot.md): then lengths that park may have gaps, and
+/// the shortest is found if they park over a hundredth of a metre or so.
 /// Throws Error when an option is impossible.
 std::optional<MinSlot> min_length(const Car& car, double width, const MinSlotOptions& options);
 
