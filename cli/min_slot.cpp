@@ -20,11 +20,8 @@
 namespace snug::cli {
 namespace {
 
-constexpr double shortest = 1e-6;  // [m], what a Slot accepts
-constexpr double longest = 1e6;
+constexpr double longest = 1e6;  // [m], what a Slot accepts
 constexpr int most_changes = 100000;
-constexpr int most_changes_of_one_slot = 200;
-constexpr double millimetre = 1e-3;
 constexpr double many_points = 1e6;
 constexpr std::size_t points_at_once = 4096;
 
@@ -269,59 +266,14 @@ int answer_all(const Question& question, Format format, const std::string& path)
     return report.finish();
 }
 
-/// The fewest direction changes for a slot.
-std::optional<int> fewest(const Question& question, double length, double width) {
-    if (length < shortest || width < shortest) return std::nullopt;
-    EntryOptions options;
-    options.min_range = question.options.min_range;
-    options.clearance = question.options.clearance;
-    options.enter = question.options.enter;
-    return entry(question.car, Slot({.length = length, .width = width}), options).direction_changes;
-}
-
-/// How many changes one slot needs; how much smaller it would have to be to need more, how much larger to need fewer.
 int answer_one(Question question, double length, double width, Format format, const std::string& path) {
-    OneSlot one{question.car,
-                length,
-                width,
-                fewest(question, length, width),
-                most_changes_of_one_slot,
-                shortfall(question.car, Slot({.length = length, .width = width}), question.options.clearance),
-                {}};
-    std::vector<MinSlotRow> rows;
-    for (const bool vary_length : {true, false}) {
-        const double size = vary_length ? length : width;
-        const auto least = [&](int changes) {
-            MinSlotOptions options = question.options;
-            options.max_changes = changes;
-            const std::optional<MinSlot> slot =
-                vary_length ? min_length(question.car, width, options) : min_width(question.car, length, options);
-            if (vary_length) rows.push_back({changes, width, slot});
-            return slot ? std::optional(vary_length ? slot->length : slot->width) : std::nullopt;
-        };
-        // Sizes are said in whole millimetres, and what such a slot needs is looked up, not concluded.
-        const auto vary = [&](double by, const char* how) {
-            const std::optional<int> changes =
-                vary_length ? fewest(question, length + by, width) : fewest(question, length, width + by);
-            one.variations.push_back({std::abs(by), how, changes});
-        };
-        if (!one.changes || *one.changes > 0) {
-            if (const auto enough = least(one.changes ? *one.changes - 1 : one.most_changes))
-                vary(millimetre * std::max(1.0, std::ceil((*enough - size) / millimetre)),
-                     vary_length ? "longer" : "wider");
-        }
-        if (!one.changes) continue;
-        if (const auto enough = least(*one.changes)) {
-            vary(-millimetre * (std::floor((size - *enough) / millimetre) + 1.0), vary_length ? "shorter" : "narrower");
-            if (vary_length && one.variations.back().changes) least(*one.variations.back().changes);
-        }
-    }
+    const OneSlot one = one_slot(question.car, length, width, question.options);
     if (format == Format::text) {
         put_out(path, one_slot_text(one));
     } else {
-        for (const MinSlotRow& each : rows) question.max_changes.push_back(each.max_changes);
+        for (const MinSlotRow& row : one.rows) question.max_changes.push_back(row.max_changes);
         Report report(question, format, path);
-        report.add(rows);
+        report.add(one.rows);
         report.finish();
     }
     return one.changes ? solved : cannot_park;

@@ -10,6 +10,8 @@
 
 namespace snug::cli {
 
+inline constexpr double shortest = 1e-6;  ///< what a Slot accepts [m]
+
 /// Which of the slot's dimensions is given; the other is sought.
 enum class Given { width, length };
 
@@ -32,7 +34,11 @@ struct OneSlot {
         std::optional<int> changes;  ///< what that slot needs
     };
     std::vector<Variation> variations;  ///< the least that make a difference
+    std::vector<MinSlotRow> rows;       ///< the shortest slots of its width for the counts in question
 };
+
+/// How many changes one slot needs; how much smaller it would have to be to need more, how much larger to need fewer.
+OneSlot one_slot(const Car& car, double length, double width, const MinSlotOptions& options);
 
 std::string one_slot_text(const OneSlot& slot);
 

@@ -1,0 +1,60 @@
+// One slot judged: how many direction changes it takes, and what a little more or less room would change.
+#include <algorithm>
+#include <cmath>
+
+#include "cli/min_slot.hpp"
+
+namespace snug::cli {
+namespace {
+
+constexpr int most_changes = 200;
+constexpr double millimetre = 1e-3;
+
+/// The fewest direction changes for a slot.
+std::optional<int> fewest(const Car& car, double length, double width, const MinSlotOptions& like) {
+    if (length < shortest || width < shortest) return std::nullopt;
+    EntryOptions options;
+    options.min_range = like.min_range;
+    options.clearance = like.clearance;
+    options.enter = like.enter;
+    return entry(car, Slot({.length = length, .width = width}), options).direction_changes;
+}
+
+}  // namespace
+
+OneSlot one_slot(const Car& car, double length, double width, const MinSlotOptions& options) {
+    OneSlot one{car,          length,
+                width,        fewest(car, length, width, options),
+                most_changes, shortfall(car, Slot({.length = length, .width = width}), options.clearance),
+                {},           {}};
+    for (const bool vary_length : {true, false}) {
+        const double size = vary_length ? length : width;
+        const auto least = [&](int changes) {
+            MinSlotOptions allowed = options;
+            allowed.max_changes = changes;
+            const std::optional<MinSlot> slot =
+                vary_length ? min_length(car, width, allowed) : min_width(car, length, allowed);
+            if (vary_length) one.rows.push_back({changes, width, slot});
+            return slot ? std::optional(vary_length ? slot->length : slot->width) : std::nullopt;
+        };
+        // Sizes are said in whole millimetres, and what such a slot needs is looked up, not concluded.
+        const auto vary = [&](double by, const char* how) {
+            const std::optional<int> changes =
+                vary_length ? fewest(car, length + by, width, options) : fewest(car, length, width + by, options);
+            one.variations.push_back({std::abs(by), how, changes});
+        };
+        if (!one.changes || *one.changes > 0) {
+            if (const auto enough = least(one.changes ? *one.changes - 1 : one.most_changes))
+                vary(millimetre * std::max(1.0, std::ceil((*enough - size) / millimetre)),
+                     vary_length ? "longer" : "wider");
+        }
+        if (!one.changes) continue;
+        if (const auto enough = least(*one.changes)) {
+            vary(-millimetre * (std::floor((size - *enough) / millimetre) + 1.0), vary_length ? "shorter" : "narrower");
+            if (vary_length && one.variations.back().changes) least(*one.variations.back().changes);
+        }
+    }
+    return one;
+}
+
+}  // namespace snug::cli
