@@ -6,6 +6,7 @@
 #include "cli/entry.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
+#include "widest_range.hpp"
 
 namespace snug::cli {
 namespace {
@@ -91,18 +92,6 @@ std::string refusal(const EntryQuestion& question) {
     return name(question.car) + " cannot park in " + slot_words(question.slot) + ":\n" + why + ".\n";
 }
 
-/// The range the maneuver enters from: the widest of the fewest changes.
-const HeadingRange* best_range(const EntryAnswer& answer) {
-    const HeadingRange* best = nullptr;
-    for (const HeadingRange& range : answer.ranges) {
-        if (range.direction_changes == answer.direction_changes &&
-            (best == nullptr || range.max - range.min > best->max - best->min)) {
-            best = &range;
-        }
-    }
-    return best;
-}
-
 std::string entry_position(const EntryQuestion& question, const EntryAnswer& answer) {
     const EntryOptions& options = question.options;
     const bool backward = options.enter == Enter::backward;
@@ -113,7 +102,7 @@ std::string entry_position(const EntryQuestion& question, const EntryAnswer& ans
     const Gaps room = gaps(question.car, question.slot, pose);
 
     const double heading = std::abs(off_parallel(question.slot, pose));
-    const HeadingRange* range = best_range(answer);
+    const HeadingRange* range = widest_range(answer.ranges, *answer.direction_changes);
     const double spare = range == nullptr ? 0.0 : (range->max - range->min) / 2.0;
     const int digits = range == nullptr ? 3 : decimals(spare);
     const double above = height_over_slot_corner(question, pose);

@@ -8,6 +8,7 @@
 #include "entering.hpp"
 #include "heading_ranges.hpp"
 #include "stepping_entry.hpp"
+#include "widest_range.hpp"
 
 namespace snug {
 
@@ -45,15 +46,6 @@ std::vector<HeadingRange> ranges_of(const std::vector<CountedHeadings>& found, i
     return ranges;
 }
 
-double middle_of_widest(const std::vector<HeadingRange>& ranges, int changes) {
-    const HeadingRange* widest = nullptr;
-    for (const HeadingRange& range : ranges) {
-        const bool best = range.direction_changes == changes;
-        if (best && (widest == nullptr || range.max - range.min > widest->max - widest->min)) widest = &range;
-    }
-    return widest->min + (widest->max - widest->min) / 2.0;
-}
-
 EntryAnswer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& options) {
     EntryAnswer answer;
     const FullSteering steering(entering_problem(car, slot, options.enter, options.clearance));
@@ -83,7 +75,7 @@ EntryAnswer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions
     answer.direction_changes = fewest;
     answer.ranges = ranges_of(found, options.max_changes ? limit : *fewest, width);
     const MaxSteerOptions drive = {*fewest, options.clearance, options.enter};
-    answer.maneuver = max_steer(car, slot, middle_of_widest(answer.ranges, *fewest), drive).maneuver;
+    answer.maneuver = max_steer(car, slot, middle(*widest_range(answer.ranges, *fewest)), drive).maneuver;
     return answer;
 }
 

@@ -27,6 +27,7 @@
 #include "check.hpp"
 #include "entering.hpp"
 #include "stepping_entry.hpp"
+#include "widest_range.hpp"
 
 namespace snug {
 namespace {
@@ -319,13 +320,7 @@ std::vector<HeadingRange> ranges_of(const Counts& counts, const Stepping& steps,
 
 /// The sampled heading in the middle of the widest range with that count.
 double middle_of_widest(const std::vector<HeadingRange>& ranges, int count, const Stepping& steps) {
-    const HeadingRange* widest = nullptr;
-    for (const HeadingRange& range : ranges) {
-        if (range.direction_changes == count &&
-            (widest == nullptr || range.max - range.min > widest->max - widest->min)) {
-            widest = &range;
-        }
-    }
+    const HeadingRange* widest = widest_range(ranges, count);
     const double twice_the_middle = std::round((widest->min + widest->max) / steps.heading_step);
     return std::floor(twice_the_middle / 2.0) * steps.heading_step;
 }

@@ -18,20 +18,11 @@
 #include "check.hpp"
 #include "smallest_slot.hpp"
 #include "snug/entry.hpp"
+#include "widest_range.hpp"
 
 namespace snug {
 
 namespace {
-
-/// The middle of the widest range with the fewest changes.
-double middle_of_best(const EntryAnswer& answer) {
-    HeadingRange widest;
-    for (const HeadingRange& range : answer.ranges) {
-        if (range.direction_changes == *answer.direction_changes && range.max - range.min >= widest.max - widest.min)
-            widest = range;
-    }
-    return widest.min + (widest.max - widest.min) / 2.0;
-}
 
 /// Counts finished tasks and passes on what the asker says to that.
 class Progress {
@@ -121,8 +112,10 @@ Slots slots_by_stepping(detail::Sought sought, const Car& car, double given, con
         const Slot slot({.length = length ? size : given, .width = length ? given : size});
         question.max_changes = rising[open - 1];
         const EntryAnswer found = entry(car, slot, question);
-        for (; open > 0 && found.direction_changes && *found.direction_changes <= rising[open - 1]; --open)
-            slots[open - 1] = MinSlot{slot.length(), slot.width(), middle_of_best(found)};
+        if (!found.direction_changes) continue;
+        const double heading = middle(*widest_range(found.ranges, *found.direction_changes));
+        for (; open > 0 && *found.direction_changes <= rising[open - 1]; --open)
+            slots[open - 1] = MinSlot{slot.length(), slot.width(), heading};
     }
     return slots;
 }
