@@ -19,10 +19,13 @@ Problem entering_problem(const Car& car, const Slot& slot, Enter enter, double c
 Pose to_world(const Slot& slot, Enter enter, const Pose& pose);
 Contact to_world(const Slot& slot, Enter enter, const Contact& contact);
 
+inline Direction reverse_of(Direction direction) {
+    return direction == Direction::forward ? Direction::backward : Direction::forward;
+}
+
 /// The way a car drives that would go in this direction, were it entering backward.
 inline Direction entering_direction(Enter enter, Direction backward_in) {
-    if (enter == Enter::backward) return backward_in;
-    return backward_in == Direction::backward ? Direction::forward : Direction::backward;
+    return enter == Enter::backward ? backward_in : reverse_of(backward_in);
 }
 
 /// Throws Error unless the options are possible.

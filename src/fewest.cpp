@@ -9,6 +9,7 @@
 #include "check.hpp"
 #include "entering.hpp"
 #include "fewest_search.hpp"
+#include "heading_ranges.hpp"
 #include "snug/entry.hpp"
 #include "snug/min_slot.hpp"
 
@@ -17,6 +18,8 @@ namespace snug {
 namespace {
 
 using namespace detail;
+
+constexpr int few_changes = 32;
 
 /// Nose first, whether the nose stays in the slot (see fewest.hpp).
 bool nose_stays_in(const Maneuver& maneuver, const Slot& slot, double clearance) {
@@ -37,6 +40,21 @@ LeavingQuestion entering_question(const Car& car, const Slot& slot, Enter enter,
             [](Heights& heights) { heights.start_parked(); }};
 }
 
+/// The paper's best maneuver with at most so many changes, if there is one and it answers the question.
+std::optional<Maneuver> with_full_steering(const LeavingQuestion& question, const Car& car, const Slot& slot,
+                                           int most) {
+    const std::vector<CountedHeadings> best = heading_ranges(FullSteering(question.problem), most, Find::fewest);
+    const auto widest = std::max_element(best.begin(), best.end(), [](const auto& one, const auto& other) {
+        return one.max - one.min < other.max - other.min;
+    });
+    if (widest == best.end()) return std::nullopt;
+    const MaxSteerOptions drive = {widest->changes, question.ground.clearance, question.ground.enter};
+    MaxSteerRun run = max_steer(car, slot, widest->min + (widest->max - widest->min) / 2.0, drive);
+    if (run.outcome != Outcome::parked) return std::nullopt;
+    if (drive.enter == Enter::forward && !nose_stays_in(run.maneuver, slot, drive.clearance)) return std::nullopt;
+    return std::move(run.maneuver);
+}
+
 }  // namespace
 
 FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& options) {
@@ -53,21 +71,29 @@ FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& optio
     question.max_changes = options.max_changes;
     question.resolution = options.resolution;
     LeavingBounds bounds;
-    // The paper's strategy is exact where it is best.
-    EntryOptions with_full_steering;
-    with_full_steering.clearance = options.clearance;
-    with_full_steering.enter = options.enter;
-    EntryAnswer max_steer = entry(car, slot, with_full_steering);
-    if (max_steer.parkable && *max_steer.direction_changes <= options.max_changes &&
-        (options.enter == Enter::backward || nose_stays_in(*max_steer.maneuver, slot, options.clearance)))
-        bounds.upper = max_steer.direction_changes;
+    std::optional<Maneuver> full_steering;
+    const auto ask_full_steering = [&](int most) {
+        std::optional<Maneuver> found = with_full_steering(question, car, slot, most);
+        if (!found) return;
+        bounds.upper = found->direction_changes();
+        full_steering = std::move(found);
+        bounds.moves.clear();
+        bounds.path.reset();
+    };
     try {
-        narrow(question, bounds, watch);
-        if (options.roomiest) make_roomier(question, bounds, watch);
+        // The paper's strategy is often best. Slots in which it goes to and fro for long without parking take longest, so
+        // it is asked only for as many changes as the lattices may need.
+        ask_full_steering(std::min(options.max_changes, few_changes));
+        const int depth = sensible_depth(question, watch);
+        if (!bounds.upper && depth > few_changes) ask_full_steering(depth);
+        narrow(question, depth, bounds, watch);
+        if (const int most = bounds.upper.value_or(options.max_changes + 1) - 1; !bounds.meet() && most > depth)
+            ask_full_steering(most);
+        make_drivable(question, bounds, options.roomiest, watch);
     } catch (const GivenUp&) {  // the bounds are what is known
     }
     answer = answer_of(question, std::move(bounds), car, slot, true);
-    if (answer.direction_changes && !answer.maneuver) answer.maneuver = std::move(max_steer.maneuver);
+    if (answer.direction_changes && !answer.maneuver) answer.maneuver = std::move(full_steering);
     return answer;
 }
 
@@ -101,7 +127,7 @@ FewestLength min_length_fewest(const Car& car, double width, const FewestLengthO
         question.any_upper_will_do = true;
         LeavingBounds bounds;
         bounds.upper = options.max_changes + 1;
-        narrow(question, bounds, watch);
+        narrow(question, options.max_changes, bounds, watch);
         if (!bounds.moves.empty()) return Verdict::parks;
         return bounds.lower > options.max_changes ? Verdict::impossible : Verdict::undecided;
     };

@@ -122,7 +122,7 @@ public:
     /// Where the car is out, or stands upright in the slot and can drive straight out.
     struct Goal {
         int row, cell;
-        enum { front, rear, upright } where;
+        enum Where { front, rear, upright } where;
     };
     [[nodiscard]] const std::vector<Goal>& goals() const { return goals_; }
     /// Whether the rows reach there.

@@ -20,10 +20,6 @@ constexpr double well_known = 1.0 / 1000;  ///< of the car's length: the next la
 constexpr double most_memory = 4e9;        ///< [bytes]
 constexpr double memory_per_cell = 40.0;   ///< both lattices, and the way back [bytes]
 
-Direction direction_at(int level, int last) {
-    return (last - level) % 2 == 0 ? Direction::forward : Direction::backward;
-}
-
 /// A chain of sweeps whose last one, after `last` changes, goes forward.
 struct Chain {
     std::optional<int> out;  ///< changes after which the car got out first
@@ -64,13 +60,6 @@ double coarsest(const LeavingQuestion& question) {
     return spacing;
 }
 
-/// Changes after which the coarsest lattice lets the car get out, if within the allowed ones.
-std::optional<int> first_guess(const LeavingQuestion& question, const Watch& watch) {
-    const Lattice lower(question.problem, question.ground.enter, Bound::lower, coarsest(question), question.anchor,
-                        nullptr, watch);
-    return run_chain(lower, question, question.max_changes, false, watch).out;
-}
-
 /// Bounds on lattices from the coarsest to the finest, as far as `depth` changes; false when that is not enough.
 bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds, const Watch& watch) {
     std::optional<Rows> reached;
@@ -105,8 +94,9 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
         for (int k = changes.value_or(last + 1); k <= std::min(last, changes.value_or(0) + 1); ++k) {
             const std::optional<LatticePath> path = path_along(upper, question.start, k, watch);
             std::vector<Move> moves;
-            if (path) moves = leaving_moves(question.ground, *path, question.finish, watch);
+            if (path) moves = leaving_moves(question.ground, *path, Finish::checked, watch);
             if (moves.empty()) continue;
+            bounds.path = path;
             bounds.moves = std::move(moves);
             bounds.upper = Maneuver{question.ground.car, bounds.moves}.direction_changes();
             break;
@@ -118,17 +108,21 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
 
 }  // namespace
 
-void narrow(const LeavingQuestion& question, LeavingBounds& bounds, const Watch& watch) {
-    // Without an upper bound look only about so far as it may take: each change more costs two sweeps.
-    int depth = question.max_changes;
-    if (!bounds.upper) {
-        if (const std::optional<int> guess = first_guess(question, watch)) depth = std::min(depth, 2 * *guess + 10);
-    }
+int sensible_depth(const LeavingQuestion& question, const Watch& watch) {
+    const Lattice lower(question.problem, question.ground.enter, Bound::lower, coarsest(question), question.anchor,
+                        nullptr, watch);
+    const std::optional<int> guess = run_chain(lower, question, question.max_changes, false, watch).out;
+    return guess ? std::min(question.max_changes, 2 * *guess + 10) : question.max_changes;
+}
+
+void narrow(const LeavingQuestion& question, int depth, LeavingBounds& bounds, const Watch& watch) {
     while (!narrow_to(question, depth, bounds, watch)) depth = std::min(question.max_changes, 2 * depth + 10);
 }
 
-void make_roomier(const LeavingQuestion& question, LeavingBounds& bounds, const Watch& watch) {
-    if (!bounds.upper) return;
+namespace {
+
+/// The roomiest way out with as many changes as the bounds; none if the lattices find none.
+std::vector<Move> roomiest_moves(const LeavingQuestion& question, const LeavingBounds& bounds, const Watch& watch) {
     const int changes = *bounds.upper;
     const Car& car = question.ground.car;
     const auto keeping = [&](double distance) {
@@ -162,12 +156,27 @@ void make_roomier(const LeavingQuestion& question, LeavingBounds& bounds, const 
             (try_keeping(middle) ? kept : too_much) = middle;
         }
         std::vector<Move> moves = leaving_moves(question.ground, *best, question.finish, watch);
-        if (moves.empty()) continue;
-        const bool worse_entry = question.finish == Finish::at_p && !ends_at_p(question.ground, moves) &&
-                                 (bounds.moves.empty() || ends_at_p(question.ground, bounds.moves));
-        if (!worse_entry) bounds.moves = std::move(moves);
-        return;
+        if (!moves.empty()) return moves;
     }
+    return {};
+}
+
+}  // namespace
+
+void make_drivable(const LeavingQuestion& question, LeavingBounds& bounds, bool roomiest, const Watch& watch) {
+    if (!bounds.upper) return;
+    const auto good = [&](const std::vector<Move>& moves) {
+        return !moves.empty() && (question.finish != Finish::at_p || ends_at_p(question.ground, moves));
+    };
+    std::vector<Move> best;
+    if (roomiest) best = roomiest_moves(question, bounds, watch);
+    if (!good(best) && bounds.path) {
+        std::vector<Move> plain = leaving_moves(question.ground, *bounds.path, question.finish, watch);
+        if (best.empty() || good(plain)) best = std::move(plain);
+    }
+    // Without a path the paper's strategy has a maneuver that is good.
+    if (best.empty() || (!bounds.path && !good(best))) return;
+    bounds.moves = std::move(best);
 }
 
 void check(const FewestOptions& options) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fewest_path.hpp"
+#include "fewest_pieces.hpp"
 #include "snug/fewest.hpp"
 
 namespace snug::detail {
@@ -23,19 +23,26 @@ struct LeavingQuestion {
 
 /// What is known. It only ever gets better, so that it can be used whenever the search is given up.
 struct LeavingBounds {
-    int lower = 0;             ///< no way out has fewer
-    std::optional<int> upper;  ///< as `moves` has
-    std::vector<Move> moves;   ///< out, in the entering frame; empty when the upper bound came from elsewhere
-    double spacing = 0.0;      ///< of the finest lattice [m]
+    int lower = 0;                    ///< no way out has fewer
+    std::optional<int> upper;         ///< as `moves` has
+    std::vector<Move> moves;          ///< out, in the entering frame; empty when the upper bound came from elsewhere
+    std::optional<LatticePath> path;  ///< they were made from
+    double spacing = 0.0;             ///< of the finest lattice [m]
 
     [[nodiscard]] bool meet() const { return upper && *upper == lower; }
 };
 
-/// Narrows the bounds until they meet. Throws GivenUp, and Error when the resolution asked for takes too much memory.
-void narrow(const LeavingQuestion& question, LeavingBounds& bounds, const Watch& watch);
+/// How many changes to look at first: what the coarsest lattice says, and some more.
+int sensible_depth(const LeavingQuestion& question, const Watch& watch);
 
-/// Replaces the moves by roomier ones with as many changes, if it finds some. Throws GivenUp.
-void make_roomier(const LeavingQuestion& question, LeavingBounds& bounds, const Watch& watch);
+/// Narrows the bounds until they meet. Without an upper bound it looks only so deep at first, because each change more
+/// costs two sweeps. The moves are free of contact, in pieces as they come. Throws GivenUp, and Error
+/// when the resolution asked for takes too much memory.
+void narrow(const LeavingQuestion& question, int depth, LeavingBounds& bounds, const Watch& watch);
+
+/// Replaces the moves by few pieces with as many changes, roomier ones if it finds some and they are asked for. Throws
+/// GivenUp.
+void make_drivable(const LeavingQuestion& question, LeavingBounds& bounds, bool roomiest, const Watch& watch);
 
 /// Throws Error unless the options are possible.
 void check(const FewestOptions& options);

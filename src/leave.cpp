@@ -77,8 +77,8 @@ FewestAnswer leave(const Car& car, const Slot& slot, const Pose& pose, const Few
     LeavingBounds bounds;
     const Watch watch = watch_of(options);
     try {
-        narrow(question, bounds, watch);
-        if (options.roomiest) make_roomier(question, bounds, watch);
+        narrow(question, sensible_depth(question, watch), bounds, watch);
+        make_drivable(question, bounds, options.roomiest, watch);
     } catch (const GivenUp&) {  // the bounds are what is known
     }
     return answer_of(question, std::move(bounds), car, slot, false);

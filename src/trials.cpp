@@ -77,10 +77,6 @@ struct Ground {
     }
 };
 
-Direction reverse_of(Direction direction) {
-    return direction == Direction::forward ? Direction::backward : Direction::forward;
-}
-
 Move driven(const Ground& ground, const Pose& start, Direction direction, double steering_angle, double length) {
     Move move;
     move.direction = direction;

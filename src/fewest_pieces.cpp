@@ -1,0 +1,457 @@
+#include "fewest_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "entering.hpp"
+#include "snug/contact.hpp"
+
+namespace snug::detail {
+
+namespace {
+
+constexpr std::size_t most_tries = 500'000;  ///< pieces driven to see which can be spared
+constexpr int most_bridges = 20'000;         ///< short cuts looked for in a round
+constexpr std::size_t ways_across = 12;      ///< tried for each
+constexpr int most_rounds = 4;
+constexpr double touching = 1e-9;  ///< closer to its end than this a move ends in contact [m]
+
+}  // namespace
+
+Ground::Ground(const Car& asked, const Slot& asked_slot, Enter way_in, double keeps)
+    : car(asked), slot({.length = asked_slot.length(), .width = asked_slot.width()}), clearance(keeps), enter(way_in) {
+    if (enter == Enter::backward) return;
+    CarDimensions dimensions = asked.dimensions();
+    std::swap(dimensions.front, dimensions.rear);
+    car = Car(dimensions);
+}
+
+namespace {
+
+/// The front-right or, behind, the rear-right corner of the grown frame.
+Point right_corner(const Ground& ground, const Pose& pose, double ahead) {
+    const double along = ahead + (ahead > 0.0 ? ground.clearance : -ground.clearance);
+    const double right = ground.car.width() / 2.0 + ground.clearance;
+    const double c = std::cos(pose.heading), s = std::sin(pose.heading);
+    return {pose.x + along * c + right * s, pose.y + along * s - right * c};
+}
+
+/// The way out as a polyline in characteristic coordinates: a straight segment there is an arc or a line on the road,
+/// upright ones are full left, level ones full right.
+struct Plan {
+    Pose start;
+    std::vector<LatticePath::Leg> legs;  // their points without the start of the leg
+};
+
+std::size_t piece_count(const Plan& plan) {
+    std::size_t pieces = 0;
+    for (const LatticePath::Leg& leg : plan.legs) pieces += leg.points.size();
+    return pieces;
+}
+
+class Smoother {
+public:
+    Smoother(const Ground& ground, const Watch& watch)
+        : ground_(ground), watch_(watch), radius_(ground.car.turning_radius()) {}
+
+    [[nodiscard]] std::vector<Move> leaving(const LatticePath& path, Finish finish) const;
+
+private:
+    [[nodiscard]] Characteristic characteristic(const Pose& pose) const {
+        const double across = radius_ * std::sin(pose.heading);
+        return {pose.x - across, pose.x + across};
+    }
+    /// The piece to a point, contacts not looked at; empty where no heading leads there.
+    [[nodiscard]] std::optional<Move> piece(const Pose& from, Direction direction, const Characteristic& to) const;
+    [[nodiscard]] bool free(const Move& move) const {
+        return first_contact(ground_.car, ground_.slot, move.start, move.direction, move.steering_angle,
+                             ground_.clearance)
+                   .distance >= move.length;
+    }
+    /// Appends the pieces of a leg from the last pose on; false where one meets something.
+    bool drive_leg(const LatticePath::Leg& leg, Pose& pose, std::vector<Move>& moves) const;
+    /// The whole way, cut where the corner is level with p; empty unless it is free and gets out.
+    [[nodiscard]] std::vector<Move> driven(const Plan& plan) const;
+    /// Ends the last move where the front-right corner passes x = 0 and checks the way from there.
+    [[nodiscard]] bool cut_at_p(std::vector<Move>& moves) const;
+    [[nodiscard]] Point corner(const Pose& pose) const { return right_corner(ground_, pose, ground_.car.front()); }
+    /// Few points for a leg from here on.
+    [[nodiscard]] std::optional<LatticePath::Leg> fewer_points(const LatticePath::Leg& leg, Pose pose) const;
+    /// Part of a plan that is free and gets out.
+    struct Piece {
+        Pose start, end;
+        double least = 0.0;  ///< the rest can be driven as planned from this height of its end on
+    };
+    /// The pieces of each leg, when the last may be so much lower.
+    [[nodiscard]] std::vector<std::vector<Piece>> pieces(const Plan& plan, double spare) const;
+    /// Replaces stretches of the plan by one piece or two that end high enough for all that follows.
+    void straighten(Plan& plan) const;
+    /// One piece from the pose, at the end of the leg's piece before `from`, to that of its piece `to`; else two by way of
+    /// a point between. It ends no lower than `least` and no higher than `most`, and of several it is the highest.
+    [[nodiscard]] std::optional<LatticePath::Leg> bridge(const LatticePath::Leg& leg, std::size_t from, std::size_t to,
+                                                         const Pose& pose, double least, double most) const;
+    void drop_points(Plan& plan) const;
+    /// Takes as little of something (all of it: 1) as still gets out. Returns whether the corner then passes p itself,
+    /// and the plan for that.
+    bool sink_to_p(Plan& plan, const std::function<Plan(double)>& less) const;
+    bool shorten_last_backward(Plan& plan) const;
+    bool turn_right_earlier(Plan& plan) const;
+    bool start_lower(Plan& plan) const;
+
+    const Ground& ground_;
+    const Watch& watch_;
+    double radius_;
+};
+
+std::optional<Move> Smoother::piece(const Pose& from, Direction direction, const Characteristic& to) const {
+    const Characteristic at = characteristic(from);
+    const double sign = direction == Direction::forward ? 1.0 : -1.0;
+    const double along_a = std::max(0.0, sign * (to.a - at.a));
+    const double along_b = std::max(0.0, sign * (to.b - at.b));
+    Move move;
+    move.direction = direction;
+    move.start = move.end = from;
+    const double negligible = 1e-12 * radius_;
+    if (along_a + along_b <= negligible) return move;
+    const double sine = (to.b - to.a) / (2.0 * radius_);
+    if (!(std::abs(sine) < 1.0)) return std::nullopt;
+    const double end = std::asin(sine);
+    if (along_a <= negligible || along_b <= negligible) {
+        move.steering_angle = along_a <= negligible ? ground_.car.max_steer() : -ground_.car.max_steer();
+        move.length = radius_ * std::abs(end - from.heading);
+    } else {
+        double curvature = (along_b - along_a) / (radius_ * (along_a + along_b));
+        if (std::abs(along_b - along_a) < 1e-9 * radius_) curvature = 0.0;
+        move.steering_angle = std::clamp(std::atan(curvature * ground_.car.wheelbase()), -ground_.car.max_steer(),
+                                         ground_.car.max_steer());
+        const double half = curvature == 0.0 ? 0.0 : (end - from.heading) / 2.0;
+        const double chord = (along_a + along_b) / (2.0 * std::cos(from.heading + half));
+        move.length = chord / (std::abs(half) > 1e-8 ? std::sin(half) / half : 1.0);
+    }
+    move.end = drive(ground_.car, from, direction, move.steering_angle, move.length);
+    return move;
+}
+
+bool Smoother::drive_leg(const LatticePath::Leg& leg, Pose& pose, std::vector<Move>& moves) const {
+    watch_();
+    for (const Characteristic& to : leg.points) {
+        const std::optional<Move> move = piece(pose, leg.direction, to);
+        if (!move) return false;
+        if (move->length == 0.0) continue;
+        if (!free(*move)) return false;
+        if (ground_.enter == Enter::forward && move->direction == Direction::backward &&
+            right_corner(ground_, move->end, -ground_.car.rear()).y > touching)
+            return false;  // the nose would come out again
+        moves.push_back(*move);
+        pose = move->end;
+    }
+    return true;
+}
+
+bool Smoother::cut_at_p(std::vector<Move>& moves) const {
+    while (!moves.empty() && corner(moves.back().start).x > 0.0) moves.pop_back();
+    if (moves.empty() || !(corner(moves.back().end).x > 0.0)) return false;
+    Move& last = moves.back();
+    double before = 0.0, after = last.length;
+    for (;;) {
+        const double middle = before + (after - before) / 2.0;
+        if (middle <= before || middle >= after) break;
+        (corner(drive(ground_.car, last.start, last.direction, last.steering_angle, middle)).x > 0.0 ? after : before) =
+            middle;
+    }
+    last.length = before;
+    last.end = drive(ground_.car, last.start, last.direction, last.steering_angle, before);
+    if (!(corner(last.end).y >= 0.0)) return false;
+    // From here straight on, or, nose down, full left until level; no entry position is nose down.
+    Pose pose = last.end;
+    if (pose.heading < 0.0) {
+        const double a = characteristic(pose).a;
+        const std::optional<Move> level = piece(pose, Direction::forward, {a, a});
+        if (!level || !free(*level)) return false;
+        moves.push_back(*level);
+        pose = level->end;
+    }
+    pose.y += touching;
+    return !first_contact(ground_.car, ground_.slot, pose, Direction::forward, 0.0, ground_.clearance).contact;
+}
+
+std::vector<Move> Smoother::driven(const Plan& plan) const {
+    std::vector<Move> moves;
+    Pose pose = plan.start;
+    for (const LatticePath::Leg& leg : plan.legs)
+        if (!drive_leg(leg, pose, moves)) return {};
+    if (!cut_at_p(moves)) return {};
+    return moves;
+}
+
+std::optional<LatticePath::Leg> Smoother::fewer_points(const LatticePath::Leg& leg, Pose pose) const {
+    // Full left and then full right climbs more than any other way to the same point: taken as far as it is free.
+    LatticePath::Leg few{leg.direction, {}};
+    std::size_t at = 0;
+    while (at + 1 < leg.points.size()) {
+        std::size_t step = leg.points.size() - 1 - at;
+        for (;; step = (step + 1) / 2) {
+            const Characteristic& to = leg.points[at + step];
+            LatticePath::Leg jump{leg.direction, {to}};
+            if (step > 1) jump.points.insert(jump.points.begin(), {characteristic(pose).a, to.b});
+            Pose end = pose;
+            std::vector<Move> moves;
+            if (drive_leg(jump, end, moves)) {
+                few.points.insert(few.points.end(), jump.points.begin(), jump.points.end());
+                pose = end;
+                at += step;
+                break;
+            }
+            if (step == 1) return std::nullopt;
+        }
+    }
+    return few;
+}
+
+std::optional<LatticePath::Leg> Smoother::bridge(const LatticePath::Leg& leg, std::size_t from, std::size_t to,
+                                                 const Pose& pose, double least, double most) const {
+    std::optional<LatticePath::Leg> best;
+    double highest = least;
+    const auto consider = [&](LatticePath::Leg way) {
+        Pose end = pose;
+        std::vector<Move> moves;
+        if (!drive_leg(way, end, moves) || end.y < highest || end.y > most) return;
+        highest = end.y;
+        best = std::move(way);
+    };
+    consider({leg.direction, {leg.points[to]}});
+    if (best || to - from < 2) return best;
+    const std::size_t step = std::max<std::size_t>(1, (to - from) / ways_across);
+    for (std::size_t by = from; by < to; by += step) consider({leg.direction, {leg.points[by], leg.points[to]}});
+    return best;
+}
+
+std::vector<std::vector<Smoother::Piece>> Smoother::pieces(const Plan& plan, double spare) const {
+    std::vector<std::vector<Piece>> all;
+    Pose pose = plan.start;
+    for (const LatticePath::Leg& leg : plan.legs) {
+        std::vector<Piece>& pieces = all.emplace_back();
+        for (const Characteristic& to : leg.points) {
+            const Pose start = pose;
+            if (const std::optional<Move> move = piece(start, leg.direction, to)) pose = move->end;
+            pieces.push_back({start, pose});
+        }
+    }
+    // From the last to the first: how much lower each can be driven.
+    double least = pose.y - spare;
+    for (std::size_t i = all.size(); i-- > 0;) {
+        const LatticePath::Leg& leg = plan.legs[i];
+        for (std::size_t j = leg.points.size(); j-- > 0;) {
+            Piece& at = all[i][j];
+            at.least = least + touching;
+            double lower = std::max(0.0, at.end.y - least);
+            for (; lower > touching; lower /= 4.0) {
+                const std::optional<Move> move =
+                    piece({at.start.x, at.start.y - lower, at.start.heading}, leg.direction, leg.points[j]);
+                if (move && free(*move)) break;
+            }
+            least = lower > touching ? at.start.y - lower : at.start.y;
+        }
+    }
+    return all;
+}
+
+void Smoother::straighten(Plan& plan) const {
+    const std::vector<Move> whole = driven(plan);
+    if (whole.empty()) return;
+    const std::vector<std::vector<Piece>> planned = pieces(plan, std::max(0.0, corner(whole.back().end).y));
+    Plan straight{plan.start, {}};
+    Pose pose = plan.start;
+    int tries = most_bridges;
+    for (std::size_t i = 0; i < planned.size(); ++i) {
+        const LatticePath::Leg& leg = plan.legs[i];
+        LatticePath::Leg& few = straight.legs.emplace_back(LatticePath::Leg{leg.direction, {}});
+        std::size_t last = leg.points.size();
+        if (i + 1 == planned.size())  // the piece that passes p stays
+            while (last > 0 && corner(planned[i][last - 1].end).x > -touching) --last;
+        std::size_t step = last;
+        for (std::size_t at = 0; at < leg.points.size(); at += step) {
+            std::optional<LatticePath::Leg> way;
+            step = at < last && tries > 0 ? std::min(2 * step, last - at) : 1;
+            for (; !way && step > 1; --tries) {
+                const Piece& to = planned[i][at + step - 1];
+                // Nose first the car must not come out again, so it stays below the planned way.
+                way = bridge(leg, at, at + step - 1, pose, to.least,
+                             ground_.enter == Enter::forward ? to.end.y : std::numeric_limits<double>::infinity());
+                if (!way) step = step > 2 ? (step + 1) / 2 : 1;
+            }
+            if (!way) way = LatticePath::Leg{leg.direction, {leg.points[at]}};
+            std::vector<Move> moves;
+            if (!drive_leg(*way, pose, moves)) return;
+            few.points.insert(few.points.end(), way->points.begin(), way->points.end());
+        }
+    }
+    if (!driven(straight).empty()) plan = std::move(straight);
+}
+
+void Smoother::drop_points(Plan& plan) const {
+    std::size_t tries = most_tries / std::max<std::size_t>(1, piece_count(plan));
+    bool dropped = true;
+    while (dropped) {
+        dropped = false;
+        for (LatticePath::Leg& leg : plan.legs) {
+            for (std::size_t i = 0; leg.points.size() > 1 && i + 1 < leg.points.size();) {
+                if (tries-- == 0) return;
+                const Characteristic point = leg.points[i];
+                leg.points.erase(leg.points.begin() + static_cast<std::ptrdiff_t>(i));
+                if (!driven(plan).empty()) {
+                    dropped = true;
+                } else {
+                    leg.points.insert(leg.points.begin() + static_cast<std::ptrdiff_t>(i), point);
+                    ++i;
+                }
+            }
+        }
+    }
+}
+
+bool Smoother::sink_to_p(Plan& plan, const std::function<Plan(double)>& less) const {
+    double works = 1.0, fails = 0.0;
+    for (int i = 0; i < 100; ++i) {
+        const double middle = works + (fails - works) / 2.0;
+        if (middle == works || middle == fails) break;
+        (driven(less(middle)).empty() ? fails : works) = middle;
+    }
+    const Plan lowest = less(works);
+    const std::vector<Move> moves = driven(lowest);
+    if (moves.empty() || corner(moves.back().end).y > touching) return false;
+    plan = lowest;
+    return true;
+}
+
+bool Smoother::shorten_last_backward(Plan& plan) const {
+    if (plan.legs.size() < 2) return false;
+    const Plan whole = plan;
+    const LatticePath::Leg& back = whole.legs[whole.legs.size() - 2];
+    Pose begin = whole.start;
+    std::vector<Move> moves;
+    for (std::size_t i = 0; i + 2 < whole.legs.size(); ++i) drive_leg(whole.legs[i], begin, moves);
+    const Characteristic from = characteristic(begin);
+    return sink_to_p(plan, [&](double part) {
+        Plan shorter = whole;
+        LatticePath::Leg& leg = shorter.legs[whole.legs.size() - 2];
+        std::vector<double> lengths;
+        double left = 0.0;
+        Characteristic at = from;
+        for (const Characteristic& point : back.points) {
+            lengths.push_back(std::abs(point.a - at.a) + std::abs(point.b - at.b));
+            left += part * lengths.back();
+            at = point;
+        }
+        at = from;
+        leg.points.clear();
+        for (std::size_t i = 0; i < back.points.size() && left > 0.0; ++i) {
+            const double share = lengths[i] > 0.0 ? std::min(1.0, left / lengths[i]) : 1.0;
+            leg.points.push_back({at.a + share * (back.points[i].a - at.a), at.b + share * (back.points[i].b - at.b)});
+            left -= lengths[i];
+            at = back.points[i];
+        }
+        const Characteristic turn = leg.points.empty() ? from : leg.points.back();
+        for (Characteristic& point : shorter.legs.back().points)
+            point = {std::max(point.a, turn.a), std::max(point.b, turn.b)};
+        return shorter;
+    });
+}
+
+bool Smoother::turn_right_earlier(Plan& plan) const {
+    const Plan whole = plan;
+    Pose begin = whole.start;
+    std::vector<Move> moves;
+    for (std::size_t i = 0; i + 1 < whole.legs.size(); ++i) drive_leg(whole.legs[i], begin, moves);
+    const Characteristic from = characteristic(begin);
+    const Characteristic to = whole.legs.back().points.back();
+    return sink_to_p(plan, [&](double part) {
+        Plan earlier = whole;
+        const double rest = 1.0 - part;
+        for (Characteristic& point : earlier.legs.back().points) {
+            // Towards first right and then left, which climbs least.
+            point.a += rest * (to.a - point.a);
+            point.b += rest * (from.b - point.b);
+        }
+        earlier.legs.back().points.push_back(to);
+        return earlier;
+    });
+}
+
+bool Smoother::start_lower(Plan& plan) const {
+    const Plan whole = plan;
+    const std::vector<Move> moves = driven(whole);
+    const double height = corner(moves.back().end).y;
+    return sink_to_p(plan, [&](double part) {
+        Plan lower = whole;
+        lower.start.y -= (1.0 - part) * 1.001 * height;
+        return lower;
+    });
+}
+
+std::vector<Move> Smoother::leaving(const LatticePath& path, Finish finish) const {
+    if (path.legs.empty()) return {};
+    const Characteristic first = path.legs.front().points.front();
+    Plan plan;
+    const double heading = std::asin((first.b - first.a) / (2.0 * radius_));
+    plan.start = {(first.a + first.b) / 2.0, path.z - radius_ * std::cos(heading), heading};
+    Pose pose = plan.start;
+    std::vector<Move> moves;
+    for (const LatticePath::Leg& leg : path.legs) {
+        std::optional<LatticePath::Leg> few = fewer_points(leg, pose);
+        if (!few) return {};
+        drive_leg(*few, pose, moves);
+        plan.legs.push_back(std::move(*few));
+    }
+    // The lattice may have planned for a larger frame: on until the corner is past p.
+    std::vector<Characteristic>& points = plan.legs.back().points;
+    if (points.empty()) points.push_back(characteristic(pose));
+    const Characteristic end = points.back();
+    const double short_of_p = std::max(0.0, -corner(pose).x) * 2.0 + 1e-3 * radius_;
+    points.push_back({pose.heading >= 0.0 ? end.a + short_of_p : end.a, end.b + short_of_p});
+    moves = driven(plan);
+    if (finish == Finish::checked || moves.empty()) return moves;
+    std::size_t before = piece_count(plan) + 1;
+    for (int round = 0; round < most_rounds && piece_count(plan) < before; ++round) {
+        before = piece_count(plan);
+        straighten(plan);
+        drop_points(plan);
+    }
+    // Whoever passes above p may climb less.
+    if (finish == Finish::at_p && !shorten_last_backward(plan) && !turn_right_earlier(plan)) start_lower(plan);
+    return driven(plan);
+}
+
+}  // namespace
+
+std::vector<Move> leaving_moves(const Ground& ground, const LatticePath& path, Finish finish, const Watch& watch) {
+    return Smoother(ground, watch).leaving(path, finish);
+}
+
+std::vector<Move> turned_round(const std::vector<Move>& moves) {
+    std::vector<Move> turned(moves.rbegin(), moves.rend());
+    for (Move& move : turned) {
+        move.direction = reverse_of(move.direction);
+        std::swap(move.start, move.end);
+    }
+    return turned;
+}
+
+std::vector<Move> with_contacts(const Ground& ground, std::vector<Move> moves) {
+    for (Move& move : moves) {
+        const FirstContact met =
+            first_contact(ground.car, ground.slot, move.start, move.direction, move.steering_angle, ground.clearance);
+        move.contact.reset();
+        if (std::abs(met.distance - move.length) <= touching) move.contact = met.contact;
+    }
+    return moves;
+}
+
+bool ends_at_p(const Ground& ground, const std::vector<Move>& moves) {
+    const Point corner = right_corner(ground, moves.back().end, ground.car.front());
+    return std::hypot(corner.x, corner.y) <= touching;
+}
+
+}  // namespace snug::detail
