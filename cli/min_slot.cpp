@@ -15,7 +15,6 @@
 #include "cli/words.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
-#include "spelling.hpp"
 
 namespace snug::cli {
 namespace {
@@ -86,10 +85,6 @@ std::vector<int> counts(const Options& options) {
     const std::string* text = options.typed("--max-changes");
     if (text == nullptr) {
         throw Error("--max-changes is missing; give the direction changes allowed, for example 0,1,2,5,10");
-    }
-    if (text->find_first_of(".eE") != text->npos) {
-        throw Error("--max-changes: " + in_quotes(*text) +
-                    " holds something else than whole numbers; write 0,1,2,5,10");
     }
     std::vector<int> all;
     for (const double count : numbers("--max-changes", *text, {"", 0.0, most_changes})) {

@@ -47,9 +47,17 @@ std::size_t decimal_prefix(std::string_view text) {
     return end;
 }
 
-std::string unit_name(std::string_view unit) {
-    return unit == " m" ? "metres" : unit == " rad" ? "radians" : unit == " s" ? "seconds" : "plain numbers";
+/// Is it [+-]digits?
+bool is_whole(std::string_view text) {
+    const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+    return text.size() > sign && std::all_of(text.begin() + sign, text.end(), is_digit);
 }
+
+std::string unit_name(std::string_view unit) {
+    return unit == " m" ? "metres" : unit == " rad" ? "radians" : "seconds";
+}
+
+std::string shown(const std::string& text) { return text.empty() ? "nothing" : in_quotes(text); }
 
 /// Digits after the point, so that ranges give the numbers people expect (1.79, not 1.7900000000000003).
 int decimals(std::string_view text) {
@@ -60,23 +68,12 @@ int decimals(std::string_view text) {
     return point == text.npos ? 0 : static_cast<int>(std::min<std::size_t>(15, text.size() - point - 1));
 }
 
-std::vector<std::string> split(const std::string& text, char at) {
-    std::vector<std::string> parts;
-    for (std::size_t from = 0;;) {
-        const std::size_t end = text.find(at, from);
-        parts.push_back(text.substr(from, end - from));
-        if (end == text.npos) {
-            return parts;
-        }
-        from = end + 1;
-    }
-}
-
 /// Appends the numbers of from:to:step.
 void add_range(const std::string& option, const std::string& text, const Quantity& quantity, std::vector<double>& all) {
     const std::vector<std::string> parts = split(text, ':');
     if (parts.size() != 3) {
-        throw Error(option + ": " + in_quotes(text) + " is no range; write from:to:step, for example 1.8:2.4:0.01");
+        throw Error(option + ": " + in_quotes(text) + " is no range; write from:to:step, for example " +
+                    (quantity.unit.empty() ? "0:10:1" : "1.8:2.4:0.01"));
     }
     const double from = number(option, parts[0], quantity);
     const double to = number(option, parts[1], quantity);
@@ -99,7 +96,23 @@ void add_range(const std::string& option, const std::string& text, const Quantit
 
 }  // namespace
 
+std::vector<std::string> split(const std::string& text, char at) {
+    std::vector<std::string> parts;
+    for (std::size_t from = 0;;) {
+        const std::size_t end = text.find(at, from);
+        parts.push_back(text.substr(from, end - from));
+        if (end == text.npos) {
+            return parts;
+        }
+        from = end + 1;
+    }
+}
+
 double number(const std::string& option, const std::string& text, const Quantity& quantity) {
+    if (quantity.unit.empty() && !is_whole(text)) {
+        throw Error(option + ": " + shown(text) + " is no whole number; write one from " + spelled(quantity.low) +
+                    " to " + spelled(quantity.high));
+    }
     const std::size_t end = decimal_prefix(text);
     if (end == 0 || end < text.size()) {
         const std::string rest = text.substr(end);
@@ -109,7 +122,7 @@ double number(const std::string& option, const std::string& text, const Quantity
         } else if (end > 0 && std::isalpha(static_cast<unsigned char>(rest[0])) != 0 && rest[0] != 'x') {
             right = "leave out the unit and write the number in " + unit_name(quantity.unit);
         }
-        throw Error(option + ": " + (text.empty() ? "nothing" : in_quotes(text)) + " is no number; " + right);
+        throw Error(option + ": " + shown(text) + " is no number; " + right);
     }
     const double value = std::strtod(text.c_str(), nullptr);  // the process keeps the C locale: a point is a point
     if (std::isinf(value)) {
@@ -121,11 +134,6 @@ double number(const std::string& option, const std::string& text, const Quantity
 }
 
 int whole_number(const std::string& option, const std::string& text, int low, int high) {
-    const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
-    if (text.size() == sign || !std::all_of(text.begin() + static_cast<std::ptrdiff_t>(sign), text.end(), is_digit)) {
-        throw Error(option + ": " + (text.empty() ? "nothing" : in_quotes(text)) +
-                    " is no whole number; write one from " + std::to_string(low) + " to " + std::to_string(high));
-    }
     return static_cast<int>(number(option, text, {"", static_cast<double>(low), static_cast<double>(high)}));
 }
 
@@ -144,8 +152,7 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
 std::size_t choice(const std::string& option, const std::string& text, const std::vector<std::string>& words) {
     const auto found = std::find(words.begin(), words.end(), text);
     if (found == words.end()) {
-        throw Error(option + ": " + (text.empty() ? "nothing" : in_quotes(text)) + " is not known; write " +
-                    either(words));
+        throw Error(option + ": " + shown(text) + " is not known; write " + either(words));
     }
     return static_cast<std::size_t>(found - words.begin());
 }

@@ -7,7 +7,7 @@
 
 namespace snug::cli {
 
-/// What an option measures: its unit with a space (" m"), or empty for a count, and its limits.
+/// What an option measures: its unit with a space (" m"), or empty for a whole number, and its limits.
 struct Quantity {
     std::string_view unit;
     double low;
@@ -22,6 +22,9 @@ int whole_number(const std::string& option, const std::string& text, int low, in
 /// "a,b,c", each a number or "from:to:step" with both ends; a last step that would pass `to` ends there. At most ten
 /// million numbers.
 std::vector<double> numbers(const std::string& option, const std::string& text, const Quantity& quantity);
+
+/// The parts of the text between the separators, empty ones too.
+std::vector<std::string> split(const std::string& text, char at);
 
 /// The position among the words of the one that was typed.
 std::size_t choice(const std::string& option, const std::string& text, const std::vector<std::string>& words);

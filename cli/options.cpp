@@ -19,6 +19,7 @@ namespace {
 constexpr double shortest = 1e-6;  // [m], what a Slot accepts
 constexpr double longest = 1e6;
 constexpr double farthest = 1e9;
+constexpr Quantity where = {" m", -farthest, farthest};
 constexpr double quarter_turn = std::numbers::pi / 2.0;
 
 /// The first argument that is no option of the app's, and what it could have been.
@@ -55,12 +56,13 @@ double side_of_slot(const Options& options, const std::string& name, double car_
 std::optional<Pose> goal(const Options& options) {
     const std::string* text = options.typed("--goal");
     if (text == nullptr) return std::nullopt;
-    const std::vector<double> pose = numbers("--goal", *text, {"", -farthest, farthest});
-    if (pose.size() != 3 || text->find(':') != text->npos) {
+    const std::vector<std::string> parts = split(*text, ',');
+    if (parts.size() != 3) {
         throw Error("--goal: " + in_quotes(*text) +
                     " is no pose; write X,Y,HEADING in metres and radians, for example -3.4,-0.9,0");
     }
-    return Pose{pose[0], pose[1], pose[2]};
+    return Pose{number("--goal", parts[0], where), number("--goal", parts[1], where),
+                number("--goal", parts[2], {" rad", -farthest, farthest})};
 }
 
 Point corner(const Options& options) {
@@ -68,11 +70,11 @@ Point corner(const Options& options) {
     if (text == nullptr) {
         return {};
     }
-    const std::vector<double> xy = numbers("--corner", *text, {" m", -farthest, farthest});
-    if (xy.size() != 2 || text->find(':') != text->npos) {
+    const std::vector<std::string> parts = split(*text, ',');
+    if (parts.size() != 2) {
         throw Error("--corner: " + in_quotes(*text) + " is no point; write X,Y in metres, for example 12.5,-3");
     }
-    return {xy[0], xy[1]};
+    return {number("--corner", parts[0], where), number("--corner", parts[1], where)};
 }
 
 }  // namespace

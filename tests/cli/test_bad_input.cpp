@@ -54,6 +54,22 @@ TEST(BadInput, NumbersThatAreNone) {
     expect_refusal(run("entry --car renault-zoe --width 2 --length 4.5m"), {"--length", "4.5m", "unit", "metres"});
 }
 
+TEST(BadInput, CountsAreWholeNumbers) {
+    for (const char* text : {"x", "2.5", "1e2", "5m", "0x3", "-", "", "--width"}) {
+        for (const char* question :
+             {"entry --length 5", "leave --length 5 --gap-front 0.3 --gap-curb 0.1", "min-slot"}) {
+            std::vector<std::string> all = words(question);
+            all.insert(all.end(), {"--car", "renault-zoe", "--width", "2", "--max-changes", text});
+            expect_refusal(run(all), {"--max-changes", "whole number", "from 0 to 1000"});
+        }
+    }
+    for (const char* list : {"0:4:0.5", "0.5:4:1", "1,x", "1,,2", ","})
+        expect_refusal(run(std::string("min-slot --car renault-zoe --width 2 --max-changes ") + list),
+                       {"--max-changes", "whole number"});
+    expect_refusal(run("min-slot --car renault-zoe --width 2 --max-changes 0:4"), {"from:to:step", "0:10:1"});
+    expect_refusal(run(zoe + "--threads many"), {"--threads", "whole number", "1 to 1024"});
+}
+
 TEST(BadInput, NumbersOutOfRange) {
     const std::string car = "entry --car renault-zoe ";
     expect_refusal(run(car + "--length 0 --width 2"), {"--length is 0 m"});
@@ -70,6 +86,8 @@ TEST(BadInput, NumbersOutOfRange) {
     expect_refusal(run(zoe + "--strategy stepping --step 0"), {"--step"});
     expect_refusal(run(zoe + "--goal=-4,-1,0"), {"--goal", "reversed-trials"});
     expect_refusal(run(zoe + "--strategy reversed-trials --goal=-4,-1"), {"--goal", "X,Y,HEADING"});
+    expect_refusal(run(zoe + "--strategy reversed-trials --goal=-4,y,0"), {"--goal", "\"y\"", "metres"});
+    expect_refusal(run(zoe + "--strategy reversed-trials --goal=-4,-1,z"), {"--goal", "\"z\"", "radians"});
     expect_refusal(run(zoe + "--strategy reversed-trials --goal=-4,0,0"), {"goal (-4 m, 0 m, 0 rad)", "inside"});
     expect_refusal(run(zoe + "--strategy parallel-trials --goal=-4,-1,0.1"), {"goal", "parallel"});
     expect_refusal(run(zoe + "--strategy parallel-trials --min-range 0.1"), {"--min-range", "trials"});
