@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "check.hpp"
 #include "spelling.hpp"
@@ -129,7 +130,14 @@ double number(const std::string& option, const std::string& text, const Quantity
         throw Error(option + ": " + in_quotes(text) + " is too large; it must lie between " + spelled(quantity.low) +
                     " and " + spelled(quantity.high) + std::string(quantity.unit));
     }
-    check_between(option, value, quantity.low, quantity.high, quantity.unit);
+    try {
+        check_between(option, value, quantity.low, quantity.high, quantity.unit);
+    } catch (const Error& error) {
+        const double from_degrees = value * std::numbers::pi / 180.0;
+        if (quantity.unit != " rad" || !(from_degrees >= quantity.low && from_degrees <= quantity.high)) throw;
+        throw Error(std::string(error.what()) + "; " + spelled(value) + " degrees are " + spelled(from_degrees) +
+                    " rad");
+    }
     return value;
 }
 

@@ -15,7 +15,7 @@ struct Quantity {
 };
 
 // Each reads all of `text` or throws Error with one sentence that begins with the option. Numbers are plain decimals:
-// no units, no hexadecimals, no NaN, no infinity.
+// no units, no hexadecimals, no NaN, no infinity. An angle that is too large but would do in degrees is told in radians.
 double number(const std::string& option, const std::string& text, const Quantity& quantity);
 int whole_number(const std::string& option, const std::string& text, int low, int high);
 

@@ -19,6 +19,7 @@ namespace {
 constexpr double shortest = 1e-6;  // [m], what a Slot accepts
 constexpr double longest = 1e6;
 constexpr double farthest = 1e9;
+constexpr double full_turn = 6.2832;  // as people round it; larger angles are degrees, or mistakes
 constexpr Quantity where = {" m", -farthest, farthest};
 constexpr double quarter_turn = std::numbers::pi / 2.0;
 
@@ -62,7 +63,7 @@ std::optional<Pose> goal(const Options& options) {
                     " is no pose; write X,Y,HEADING in metres and radians, for example -3.4,-0.9,0");
     }
     return Pose{number("--goal", parts[0], where), number("--goal", parts[1], where),
-                number("--goal", parts[2], {" rad", -farthest, farthest})};
+                number("--goal", parts[2], {" rad", -full_turn, full_turn})};
 }
 
 Point corner(const Options& options) {
@@ -239,7 +240,7 @@ Slot slot(const Options& options, const Car& car) {
     dimensions.width = side_of_slot(options, "width", car.width());
     dimensions.side = options.choice("--side", {"right", "left"}) == 0 ? Side::right : Side::left;
     dimensions.corner = corner(options);
-    dimensions.heading = options.number("--heading", 0.0, -farthest, farthest, " rad");
+    dimensions.heading = options.number("--heading", 0.0, -full_turn, full_turn, " rad");
     return Slot(dimensions);
 }
 

@@ -97,6 +97,17 @@ TEST(BadInput, NumbersOutOfRange) {
     expect_refusal(run(zoe + "--corner 1,nan"), {"--corner", "nan"});
 }
 
+TEST(BadInput, DegreesInPlaceOfRadians) {
+    expect_refusal(run(zoe + "--heading 90"), {"--heading is 90 rad", "90 degrees are 1.57079632679 rad"});
+    expect_refusal(run(zoe + "--heading=-45"), {"--heading is -45 rad", "-45 degrees are -0.785398163397 rad"});
+    expect_refusal(run(zoe + "--heading 400"), {"--heading is 400 rad", "between -6.2832 and 6.2832 rad"});
+    expect_refusal(run(zoe + "--min-range 2"), {"--min-range is 2 rad", "2 degrees are 0.0349065850399 rad"});
+    expect_refusal(run("leave --car renault-zoe --length 5 --width 2 --gap-front 0.3 --gap-curb 0.1 --car-heading 5"),
+                   {"--car-heading is 5 rad", "5 degrees are"});
+    expect_refusal(run(zoe + "--strategy reversed-trials --goal=-4,-1,30"), {"--goal is 30 rad", "30 degrees are"});
+    EXPECT_EQ(run(zoe + "--heading=-6.2832").exit_code, 0);
+}
+
 TEST(BadInput, WordsThatAreNotKnown) {
     expect_refusal(run(zoe + "--side rigth"), {"--side", "right or left"});
     expect_refusal(run(zoe + "--enter sideways"), {"--enter", "backward or forward"});
