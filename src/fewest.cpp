@@ -84,7 +84,7 @@ FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& optio
         // The paper's strategy is often best. Slots in which it goes to and fro for long without parking take longest, so
         // it is asked only for as many changes as the lattices may need.
         ask_full_steering(std::min(options.max_changes, few_changes));
-        const int depth = sensible_depth(question, watch);
+        const int depth = bounds.upper ? *bounds.upper : sensible_depth(question, watch);
         if (!bounds.upper && depth > few_changes) ask_full_steering(depth);
         narrow(question, depth, bounds, watch);
         if (const int most = bounds.upper.value_or(options.max_changes + 1) - 1; !bounds.meet() && most > depth)

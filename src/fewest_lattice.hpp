@@ -37,7 +37,7 @@ struct Anchor {
     double sine = 0.0;
 };
 
-/// Cells of a row, both ends included.
+/// Cells of a row or columns, both ends included.
 struct Window {
     int from = 1;
     int to = 0;
@@ -83,16 +83,22 @@ constexpr double steepest_sine = 0.96;
 
 /// Numbers of one column; heights as z. [m]
 struct Column {
+    double cosine = 1.0, tangent = 0.0;
     double start = 0.0;                       ///< highest parked position
     double start_from = 0.0, start_to = 0.0;  ///< and where there are any
-    double curb = 0.0;                        ///< lowest position above the curb
     double tail_out = 0.0;                    ///< lowest one with the tail's right corner above the entry side
     double from = 0.0, to = 0.0;              ///< the column ends here
     double out_rear = 0.0, out_front = 0.0;   ///< beyond, the car is out
-    double beside = 0.0;                      ///< a corner is above a neighbour: before (nose up) or beyond (nose down)
-    bool nose_up = false;
-    double rear_at_0 = 0.0, rear_slope = 0.0;    ///< lowest position above the rear neighbour, a line in x
-    double front_at_0 = 0.0, front_slope = 0.0;  ///< above the front neighbour
+};
+
+/// Where the obstacles let a car be, for all columns of one parity. Above the front neighbour, which begins at
+/// `front_from`, the lowest position is front_at_0 + front_slope x as far as `front_level`, and then level; above the rear
+/// one likewise the other way. [m]
+struct Limits {
+    std::vector<double> from, to;  ///< the column's ends
+    std::vector<double> curb;      ///< lowest position above the curb
+    std::vector<double> front_from, front_level, front_at_0, front_slope;
+    std::vector<double> rear_to, rear_level, rear_at_0, rear_slope;
 };
 
 /// All that is fixed: obstacles and terms. Entering nose first the nose must stay in (see fewest.hpp): in the entering
@@ -116,7 +122,7 @@ public:
     }
     /// Where in its terms a cell is found.
     [[nodiscard]] std::size_t term(int cell) const {
-        return static_cast<std::size_t>(cell - cell_of_column(first_column_)) + row_padding;
+        return static_cast<std::size_t>(cell - cell_of_column(measured_.from)) + row_padding;
     }
 
     /// Where the car is out, or stands upright in the slot and can drive straight out.
@@ -143,12 +149,14 @@ private:
     friend class Heights;
 
     void measure_columns();
-    void find_rows(const Rows* within_coarser);
-    void measure_rows(const Watch& watch);
-    [[nodiscard]] Column column(double sine) const;
+    void find_rows();
+    void find_rows(const Rows& coarse);
+    void measure_column(int d);
     [[nodiscard]] SweepTerms terms(Direction direction, int parity) const;
+    void measure_rows(const Watch& watch);
+    void find_goals();
     [[nodiscard]] const Column& at(int column) const {
-        return columns_[static_cast<std::size_t>(column - first_column_)];
+        return columns_[static_cast<std::size_t>(column - measured_.from + 2)];
     }
     [[nodiscard]] std::size_t index(int row, int cell) const;
 
@@ -161,8 +169,10 @@ private:
     double rounding_ = 0.0;  ///< more than a sum of two heights can be off [m]
     int first_column_ = 0;
     int last_column_ = 0;
-    std::vector<Column> columns_;
-    SweepTerms forward_[2], backward_[2];  // by the parity of the column
+    Window measured_;                      // columns that the rows can reach
+    std::vector<Column> columns_;          // and two more at either end
+    Limits limits_[2];                     // by the parity of the column
+    SweepTerms forward_[2], backward_[2];  // likewise
     Rows rows_;                            // within which the car may be
     std::vector<std::size_t> begin_;       // of each row's cells
     std::vector<double> needed_;           // lowest free position of each cell
@@ -201,6 +211,10 @@ private:
     Rows reached_;
     std::size_t updates_ = 0;
 };
+
+/// Lowest free positions of `count` cells in the row at x, the first one's limits being those at `first`. Whole vectors
+/// are written: up to `row_padding` numbers more.
+void measure_row(double* needed, const Limits& limits, std::size_t first, double x, std::size_t count);
 
 /// What becomes of positions above the ceiling.
 enum class Above { allowed, lowered, dropped };

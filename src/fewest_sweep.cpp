@@ -1,5 +1,7 @@
-// The inner loop of all sweeps: one row of the lattice, in vectors.
+// The inner loops of the lattice: one row of it, in vectors.
 #include <cstddef>
+#include <limits>
+#include <vector>
 
 #include "fewest_lattice.hpp"
 
@@ -13,6 +15,30 @@ HWY_BEFORE_NAMESPACE();
 namespace snug::detail::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+void measure_row_in_vectors(double* needed, const Limits& limits, std::size_t first, double x, std::size_t count) {
+    const hn::CappedTag<double, 8> tag;
+    const auto here = hn::Set(tag, x);
+    const auto nowhere_free = hn::Set(tag, std::numeric_limits<double>::infinity());
+    const std::size_t lanes = hn::Lanes(tag);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const auto of = [&](const std::vector<double>& numbers) { return hn::LoadU(tag, numbers.data() + first + i); };
+        const auto curb = of(limits.curb);
+        const auto front =
+            hn::Add(of(limits.front_at_0), hn::Mul(of(limits.front_slope), hn::Min(here, of(limits.front_level))));
+        const auto rear =
+            hn::Add(of(limits.rear_at_0), hn::Mul(of(limits.rear_slope), hn::Max(here, of(limits.rear_level))));
+        auto lowest = hn::IfThenElse(hn::Gt(here, of(limits.front_from)), hn::Max(curb, front), curb);
+        lowest = hn::IfThenElse(hn::Lt(here, of(limits.rear_to)), hn::Max(lowest, rear), lowest);
+        const auto within = hn::And(hn::Ge(here, of(limits.from)), hn::Le(here, of(limits.to)));
+        lowest = hn::IfThenElse(within, lowest, nowhere_free);
+        if (i + lanes <= count) {
+            hn::StoreU(lowest, tag, needed + i);
+        } else {
+            hn::BlendedStore(lowest, hn::FirstN(tag, count - i), tag, needed + i);
+        }
+    }
+}
 
 template <Above Rule>
 void sweep_cells(double* row, const double* left, const double* right, const double* keep, const double* from_left,
@@ -56,7 +82,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace snug::detail {
 
+HWY_EXPORT(measure_row_in_vectors);
 HWY_EXPORT(sweep_row_in_vectors);
+
+void measure_row(double* needed, const Limits& limits, std::size_t first, double x, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(measure_row_in_vectors)(needed, limits, first, x, count);
+}
 
 void sweep_row(double* row, const double* left, const double* right, const double* keep, const double* from_left,
                const double* from_right, const double* needed, Above above, const double* ceiling, std::size_t count) {
