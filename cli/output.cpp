@@ -126,11 +126,7 @@ void print(std::string_view bytes) {
     }
 }
 
-void complain(std::string_view text) {
-    std::string line(text);
-    std::replace_if(line.begin(), line.end(), is_control, ' ');
-    static_cast<void>(write_all(STDERR_FILENO, line + '\n'));
-}
+void complain(std::string_view text) { static_cast<void>(write_all(STDERR_FILENO, printable(text) + '\n')); }
 
 void check_writable(const std::string& option, const std::string& path) {
     struct stat status = {};

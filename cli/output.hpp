@@ -13,7 +13,7 @@ void prepare_process();
 /// All of it to standard output. Throws Error when it cannot take it.
 void print(std::string_view bytes);
 
-/// One line to standard error, whatever the text holds.
+/// One line of UTF-8 to standard error, whatever the bytes.
 void complain(std::string_view text);
 
 /// Throws Error, beginning with the option, when a file cannot be written there: said before the work, not after it.

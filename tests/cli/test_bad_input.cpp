@@ -118,6 +118,28 @@ TEST(BadInput, WordsThatAreNotKnown) {
     expect_refusal(run("cars zoe"), {"\"zoe\"", "renault-zoe"});
 }
 
+TEST(BadInput, BytesThatAreNoTextAreShownAsNumbers) {
+    const auto shown_as = [](const std::string& typed, const std::string& shown) {
+        expect_refusal(run({"entry", "--length", "5", "--width", "2", "--car", typed}), {'"' + shown + '"'});
+        expect_refusal(run(std::vector<std::string>{typed}), {'"' + shown + '"'});
+        expect_refusal(run({"entry", "--" + typed, "5"}), {"\"--" + shown + '"'});
+        expect_refusal(run({"min-slot", "--car", "mid-size", "--max-changes", "1", "--width", typed}),
+                       {"--width: \"" + shown + '"'});
+    };
+    shown_as("Zoé 雪 🚗", "Zoé 雪 🚗");
+    shown_as("\xff\xfe", "\\xff\\xfe");
+    shown_as("a\xc3", "a\\xc3");
+    shown_as("\xe9t\xe9", "\\xe9t\\xe9");
+    shown_as("\xc0\xaf\xe0\x80\xaf", "\\xc0\\xaf\\xe0\\x80\\xaf");
+    shown_as("\xed\xa0\x80\xf4\x90\x80\x80", "\\xed\\xa0\\x80\\xf4\\x90\\x80\\x80");
+    shown_as("\x1b[31m\n\x7f\xc2\x9b", "\\x1b[31m\\x0a\\x7f\\xc2\\x9b");
+    const std::string almost = std::string(59, 'a');
+    expect_refusal(run(almost + "é"), {'"' + almost + "...\""});
+    const Folder folder;
+    expect_refusal(run({"cars", folder.file("no\xff\n.json")}), {"no\\xff\\x0a.json"});
+    expect_refusal(run({"cars", "-o", folder.file("no\xff/cars")}), {"--output"});
+}
+
 TEST(BadInput, FilesThatAreNoCars) {
     const Folder folder;
     const auto refused = [&](const std::string& file, const std::vector<std::string>& named) {
