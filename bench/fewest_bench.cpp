@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fewest_lattice.hpp"
@@ -32,6 +33,18 @@ void whole(benchmark::State& state, const Case& c) {
     for (auto _ : state) answer = fewest(c.car, c.slot);
     state.counters["changes"] = answer.direction_changes.value_or(-1);
     state.counters["proved"] = answer.proved;
+}
+
+/// The bounds alone, on lattices down to a given spacing; without looking for the roomiest maneuver.
+void bounds(benchmark::State& state, const Case& c, double resolution) {
+    FewestOptions options;
+    options.resolution = resolution;
+    options.roomiest = false;
+    FewestAnswer answer;
+    for (auto _ : state) answer = fewest(c.car, c.slot, options);
+    state.counters["lower"] = answer.lower_bound;
+    state.counters["upper"] = answer.direction_changes.value_or(-1);
+    state.counters["spacing_mm"] = 1e3 * answer.spacing;
 }
 
 /// One row of cells, as often as it takes: an item is a cell.
@@ -88,6 +101,14 @@ void shortest_slots(benchmark::State& state) {
         benchmark::RegisterBenchmark(("entry/fewest/" + c.name).c_str(), [c](benchmark::State& state) {
             whole(state, c);
         })->Unit(benchmark::kMillisecond);
+    for (const Case& c : cases()) {
+        for (const auto& [name, resolution] : {std::pair{"4mm", 4e-3}, std::pair{"0.5mm", 5e-4}}) {
+            benchmark::RegisterBenchmark(
+                (std::string("bounds/fewest/") + name + "/" + c.name).c_str(),
+                [c, spacing = resolution](benchmark::State& state) { bounds(state, c, spacing); })
+                ->Unit(benchmark::kMillisecond);
+        }
+    }
     benchmark::RegisterBenchmark("sweep/vectors/256-cells", in_vectors);
     benchmark::RegisterBenchmark("sweep/plain/256-cells", plain);
     benchmark::RegisterBenchmark("min-slot/fewest/renault-zoe-30-widths", shortest_slots)

@@ -105,7 +105,7 @@ Action fewest_action(const Options& options, const EntryQuestion& question) {
     if (options.typed("--min-range") != nullptr)
         throw Error("--min-range asks for ranges of headings, but fewest has none; leave it out or change --strategy");
     FewestOptions asked = fewest_options(options);
-    asked.progress = show_progress();
+    asked.progress = show_bounds();
     const Format chosen = format(options);
     if (chosen == Format::csv)
         throw Error("--format: csv lists ranges of headings, but fewest has none; write text or json");

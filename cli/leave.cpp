@@ -54,7 +54,7 @@ Action parse_leave(const Arguments& arguments) {
     EntryQuestion question = {the_car, slot(options, the_car), {}};
     FewestOptions asked = fewest_options(options);
     question.options.clearance = asked.clearance;
-    asked.progress = show_progress();
+    asked.progress = show_bounds();
     ParkedGaps gaps;
     gaps.front = gap(options, "--gap-front");
     gaps.curb = gap(options, "--gap-curb");

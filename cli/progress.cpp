@@ -21,27 +21,57 @@ std::string duration(double seconds) {
     return in(seconds / 3600.0, " h");
 }
 
+/// Writes a line when it is time for one, from half a second on.
+class Line {
+public:
+    void write(const std::function<std::string(double seconds)>& text) {
+        using namespace std::chrono_literals;
+        if (const Clock::time_point now = Clock::now(); now >= next_) {
+            next_ = now + 100ms;
+            const double spent = std::chrono::duration<double>(now - begin_).count();
+            std::fprintf(stderr, "\r%s\x1b[K", text(spent).c_str());
+        }
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point begin_ = Clock::now();
+    Clock::time_point next_ = begin_ + std::chrono::milliseconds(500);
+};
+
+bool watched() { return isatty(STDERR_FILENO) != 0; }
+
 }  // namespace
 
 std::function<bool(double)> show_progress() {
-    if (isatty(STDERR_FILENO) == 0) {
-        return {};
-    }
-    using namespace std::chrono_literals;
-    using Clock = std::chrono::steady_clock;
-    return [begin = Clock::now(), next = Clock::now() + 500ms](double done) mutable {
-        if (const Clock::time_point now = Clock::now(); now >= next) {
-            next = now + 100ms;
-            const double spent = std::chrono::duration<double>(now - begin).count();
+    if (!watched()) return {};
+    return [line = Line()](double done) mutable {
+        line.write([&](double spent) {
             const std::string left = done > 0.0 ? ", " + duration(spent * (1.0 - done) / done) + " left" : "";
-            std::fprintf(stderr, "\r%3.0f %%%s\x1b[K", 100.0 * done, left.c_str());
-        }
+            return fixed(100.0 * done, 0) + " %" + left;
+        });
+        return true;
+    };
+}
+
+std::function<bool(const FewestProgress&)> show_bounds() {
+    if (!watched()) return {};
+    return [line = Line()](const FewestProgress& so_far) mutable {
+        line.write([&](double spent) {
+            std::string text = std::to_string(so_far.lower_bound) + " direction changes or more";
+            if (so_far.direction_changes)
+                text = std::to_string(so_far.lower_bound) + " to " + std::to_string(*so_far.direction_changes) +
+                       " direction changes";
+            if (so_far.direction_changes == so_far.lower_bound) text = "proved; looking for the roomiest maneuver";
+            if (so_far.spacing > 0.0) text += ", lattice " + fixed(1e3 * so_far.spacing, 2) + " mm";
+            return text + ", " + duration(spent);
+        });
         return true;
     };
 }
 
 void wipe_progress() {
-    if (isatty(STDERR_FILENO) != 0) {
+    if (watched()) {
         std::fputs("\r\x1b[K", stderr);
     }
 }

@@ -3,11 +3,16 @@
 
 #include <functional>
 
+#include "snug/fewest.hpp"
+
 namespace snug::cli {
 
 /// A progress callback that shows the part done and the time left, from half a second on and ten times a second at most;
 /// empty when standard error is no terminal.
 std::function<bool(double)> show_progress();
+
+/// The same for the fewest changes over all maneuvers: shows the bounds so far and the lattice they come from.
+std::function<bool(const FewestProgress&)> show_bounds();
 
 /// Wipes it away again.
 void wipe_progress();

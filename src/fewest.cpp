@@ -35,6 +35,13 @@ bool nose_stays_in(const Maneuver& maneuver, const Slot& slot, double clearance)
     });
 }
 
+/// Whether there is any room to drive in: in a slot as long as the car nothing moves, in one as wide nothing turns.
+bool has_room(const Car& car, double length, double width, double clearance) {
+    const double least_width = car.width() + clearance;
+    return length > car.length() + 2.0 * clearance &&
+           (width > least_width || (width == least_width && !never_turns(car)));
+}
+
 LeavingQuestion entering_question(const Car& car, const Slot& slot, Enter enter, double clearance) {
     return {Ground(car, slot, enter, clearance), entering_problem(car, slot, enter, clearance),
             [](Heights& heights) { heights.start_parked(); }};
@@ -59,18 +66,12 @@ std::optional<Maneuver> with_full_steering(const LeavingQuestion& question, cons
 
 FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& options) {
     check(options);
-    FewestAnswer answer;
-    const Shortfall lacks = shortfall(car, slot, options.clearance);
-    if (lacks.length > 0.0 || lacks.width > 0.0) {
-        answer.lower_bound = options.max_changes + 1;
-        answer.proved = true;
-        return answer;
-    }
-    const Watch watch = watch_of(options);
+    if (!has_room(car, slot.length(), slot.width(), options.clearance)) return impossible(options.max_changes);
     LeavingQuestion question = entering_question(car, slot, options.enter, options.clearance);
     question.max_changes = options.max_changes;
     question.resolution = options.resolution;
     LeavingBounds bounds;
+    const Watch watch = watch_of(options, bounds);
     std::optional<Maneuver> full_steering;
     const auto ask_full_steering = [&](int most) {
         std::optional<Maneuver> found = with_full_steering(question, car, slot, most);
@@ -92,7 +93,7 @@ FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& optio
         make_drivable(question, bounds, options.roomiest, watch);
     } catch (const GivenUp&) {  // the bounds are what is known
     }
-    answer = answer_of(question, std::move(bounds), car, slot, true);
+    FewestAnswer answer = answer_of(question, std::move(bounds), car, slot, true);
     if (answer.direction_changes && !answer.maneuver) answer.maneuver = std::move(full_steering);
     return answer;
 }
@@ -105,25 +106,28 @@ FewestLength min_length_fewest(const Car& car, double width, const FewestLengthO
     of_each.max_changes = options.max_changes;
     of_each.clearance = options.clearance;
     of_each.resolution = options.resolution;
-    of_each.progress = options.progress;
     check(of_each);
-    const Watch watch = watch_of(of_each);
 
     const double shortest = car.length() + 2.0 * options.clearance;
     const double longest = car.length() + options.longest;
     FewestLength answer;
     answer.length_lower = shortest;
-    if (width < car.width() + options.clearance || longest < shortest) {
+    if (!has_room(car, longest, width, options.clearance)) {
         answer.length_lower = std::max(shortest, longest);
         return answer;
     }
+    double open = longest;  // not known to be impossible
+    const auto halvings = [&](double from) { return std::log2(std::max(1.0, from / options.precision)); };
+    const Watch watch = [&] {
+        const double left = halvings(open - answer.length_lower) / std::max(1.0, halvings(longest - shortest));
+        if (options.progress && !options.progress(1.0 - left)) throw GivenUp{};
+    };
     enum class Verdict { parks, impossible, undecided };
     const auto verdict = [&](double length) {
         LeavingQuestion question =
             entering_question(car, Slot({.length = length, .width = width}), options.enter, options.clearance);
         question.max_changes = options.max_changes;
         question.resolution = options.resolution > 0.0 ? options.resolution : 5e-4 * car.length();
-        question.finish = Finish::checked;
         question.any_upper_will_do = true;
         LeavingBounds bounds;
         bounds.upper = options.max_changes + 1;
@@ -138,7 +142,7 @@ FewestLength min_length_fewest(const Car& car, double width, const FewestLengthO
                 {.max_changes = options.max_changes, .clearance = options.clearance, .longest = options.longest});
             if (full_steering) answer.length = full_steering->length;
         }
-        double open = answer.length.value_or(longest);  // not known to be impossible
+        open = answer.length.value_or(longest);
         if (!answer.length) {
             switch (verdict(longest)) {
                 case Verdict::parks: answer.length = longest; break;

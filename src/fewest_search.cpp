@@ -186,13 +186,20 @@ void check(const FewestOptions& options) {
     check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
 }
 
-Watch watch_of(const FewestOptions& options) {
+Watch watch_of(const FewestOptions& options, const LeavingBounds& bounds) {
     using Clock = std::chrono::steady_clock;
-    return [&options, begin = Clock::now()] {
+    return [&options, &bounds, begin = Clock::now()] {
         const double part = std::chrono::duration<double>(Clock::now() - begin).count() / options.time_limit;
         if (part > 1.0) throw GivenUp{};
-        if (options.progress && !options.progress(part)) throw GivenUp{};
+        if (options.progress && !options.progress({bounds.lower, bounds.upper, bounds.spacing, part})) throw GivenUp{};
     };
+}
+
+FewestAnswer impossible(int max_changes) {
+    FewestAnswer answer;
+    answer.lower_bound = max_changes + 1;
+    answer.proved = true;
+    return answer;
 }
 
 FewestAnswer answer_of(const LeavingQuestion& question, LeavingBounds bounds, const Car& car, const Slot& slot,

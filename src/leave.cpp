@@ -30,6 +30,13 @@ Box box_of(const Car& car, const Pose& pose) {
     return box;
 }
 
+/// Flush with the curb and parallel: turning takes a corner into the curb at once, but driving raises the car only as
+/// it has turned, so it can never begin (docs/fewest.md).
+bool flush_with_curb(const Ground& ground, const Pose& pose, double rounding) {
+    const double gap = box_of(ground.car, pose).y_min + ground.slot.width() - ground.clearance;
+    return std::abs(pose.heading) <= rounding && gap <= rounding * ground.car.length() && never_turns(ground.car);
+}
+
 void check_parked(const Ground& ground, const Pose& pose) {
     if (!(std::abs(pose.heading) <= most_tilted))
         throw Error("the car is parked " + spelled(std::abs(pose.heading)) +
@@ -64,6 +71,10 @@ FewestAnswer leave(const Car& car, const Slot& slot, const Pose& pose, const Few
     if (options.enter == Enter::forward) start = {-slot.length() - start.x, start.y, -start.heading};
     check_parked(ground, start);
 
+    // What bringing the pose into the slot's frame may do to it.
+    const double rounding = 1e-14 * (1.0 + (std::abs(pose.x) + std::abs(pose.y)) / car.length());
+    if (flush_with_curb(ground, start, rounding)) return impossible(options.max_changes);
+
     const double radius = car.turning_radius();
     // Above what rounding may have put into the curb.
     const double z = start.y + radius * std::cos(start.heading) + 1e-10 * car.length();
@@ -75,7 +86,7 @@ FewestAnswer leave(const Car& car, const Slot& slot, const Pose& pose, const Few
                                    options.resolution,
                                    Finish::tidy};
     LeavingBounds bounds;
-    const Watch watch = watch_of(options);
+    const Watch watch = watch_of(options, bounds);
     try {
         narrow(question, sensible_depth(question, watch), bounds, watch);
         make_drivable(question, bounds, options.roomiest, watch);

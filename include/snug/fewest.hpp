@@ -12,6 +12,14 @@
 
 namespace snug {
 
+/// How far a search has got.
+struct FewestProgress {
+    int lower_bound = 0;                   ///< proved so far
+    std::optional<int> direction_changes;  ///< demonstrated so far
+    double spacing = 0.0;                  ///< of the finest lattice finished [m]; 0 if none is
+    double part = 0.0;                     ///< of the time limit gone, 0 to 1
+};
+
 struct FewestOptions {
     int max_changes = 200;          ///< direction changes allowed, 0 to 1000
     double clearance = 0.0;         ///< grows the frame for contacts and for the entry position [m]
@@ -21,8 +29,8 @@ struct FewestOptions {
     double resolution = 0.0;
     double time_limit = std::numeric_limits<double>::infinity();  ///< ends with the bounds found so far [s]
     bool roomiest = true;  ///< look for the roomiest maneuver; otherwise any with that many changes will do
-    /// Told the part of the time limit gone (0 to 1) from time to time; returning false ends with the bounds found so far.
-    std::function<bool(double)> progress;
+    /// Told from time to time; returning false ends with the bounds found so far.
+    std::function<bool(const FewestProgress&)> progress;
 };
 
 struct FewestAnswer {

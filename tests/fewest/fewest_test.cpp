@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "oracle/follower.hpp"
@@ -85,6 +86,45 @@ TEST(Fewest, ASlotSmallerThanTheCarIsProvedImpossible) {
     const FewestAnswer answer = answer_to(catalogue_case("renault-zoe", 4.0, 1.9));
     EXPECT_FALSE(answer.maneuver);
     EXPECT_TRUE(answer.proved);
+}
+
+TEST(Fewest, WhereNothingCanTurnOrMoveItIsProvedImpossible) {
+    // As wide as the car: flush with the curb it can only go straight. As long: it cannot move at all.
+    const Car car = *snug::find_car("mid-size");
+    for (const auto& [length, width] : {std::pair{5.4, car.width()}, std::pair{car.length(), 2.2}}) {
+        const FewestAnswer answer = answer_to(catalogue_case("mid-size", length, width), 200);
+        EXPECT_FALSE(answer.direction_changes);
+        EXPECT_TRUE(answer.proved);
+    }
+    snug::FewestLengthOptions options;
+    options.max_changes = 20;
+    EXPECT_FALSE(min_length_fewest(car, car.width(), options).length);
+}
+
+TEST(Fewest, ALongRearBacksOutOverTheRearNeighbour) {
+    // Found by random cases: full steering needs more changes, or cannot park.
+    struct LongRear {
+        snug::CarDimensions car;
+        snug::SlotDimensions slot;
+        int changes;
+    };
+    for (const LongRear& known :
+         {LongRear{{.width = 1.615, .front = 1.774, .rear = 5.338, .wheelbase = 5.269, .max_steer = 0.5717},
+                   {.length = 9.128, .width = 1.845},
+                   2},
+          LongRear{{.width = 1.337, .front = 0.103, .rear = 5.019, .wheelbase = 3.890, .max_steer = 0.4147},
+                   {.length = 6.134, .width = 1.419},
+                   3}}) {
+        Case asked;
+        asked.car = known.car;
+        asked.slot = known.slot;
+        SCOPED_TRACE(oracle::command_line(asked));
+        const FewestAnswer answer = answer_to(asked);
+        EXPECT_EQ(answer.direction_changes, known.changes);
+        EXPECT_TRUE(answer.proved);
+        ASSERT_TRUE(answer.maneuver);
+        EXPECT_EQ(faults_of(asked, answer), std::vector<std::string>{});
+    }
 }
 
 /// Of the move that has most.
@@ -211,9 +251,22 @@ TEST(Fewest, AResolutionTooFineForMemoryIsRefusedWithTheSize) {
     }
 }
 
+TEST(Fewest, GivingUpWhileTidyingKeepsTheManeuver) {
+    // Here full steering cannot park: the maneuver comes from a lattice, and giving up once it is there must not lose it.
+    const Case asked = catalogue_case("renault-zoe", 4.8, 1.84);
+    FewestOptions options;
+    options.progress = [](const snug::FewestProgress& so_far) { return !so_far.direction_changes; };
+    const FewestAnswer answer = fewest(Car(asked.car), Slot(asked.slot), options);
+    ASSERT_TRUE(answer.direction_changes);
+    ASSERT_TRUE(answer.maneuver);
+    EXPECT_LE(answer.lower_bound, 8);
+    EXPECT_GE(*answer.direction_changes, 8);
+    EXPECT_EQ(faults_of(asked, answer), std::vector<std::string>{});
+}
+
 TEST(Fewest, GivingUpLeavesTheBoundsFoundSoFar) {
     FewestOptions options;
-    options.progress = [](double) { return false; };
+    options.progress = [](const snug::FewestProgress&) { return false; };
     const FewestAnswer answer = fewest(*snug::find_car("renault-zoe"), Slot({.length = 4.5, .width = 2.0}), options);
     EXPECT_EQ(answer.direction_changes, 18);  // full steering
     EXPECT_FALSE(answer.proved);

@@ -57,6 +57,16 @@ TEST(Leave, ParkedWithRoomItTakesFewChanges) {
     EXPECT_TRUE(out.proved);
 }
 
+TEST(Leave, FlushWithTheCurbThereIsNoWayOut) {
+    const Car zoe = *snug::find_car("renault-zoe");
+    const Slot slot({.length = 5.0, .width = 2.0, .corner = {3.0, -7.0}, .heading = 0.7});
+    const FewestAnswer flush = leave(zoe, slot, parked_pose(zoe, slot, {.front = 0.3, .curb = 0.0}));
+    EXPECT_FALSE(flush.direction_changes);
+    EXPECT_TRUE(flush.proved);
+    const FewestAnswer nearly = leave(zoe, slot, parked_pose(zoe, slot, {.front = 0.3, .curb = 0.01}));
+    EXPECT_TRUE(nearly.direction_changes);
+}
+
 TEST(Leave, GapsSayWhereTheCarStands) {
     const Car zoe = *snug::find_car("renault-zoe");
     const Slot slot({.length = 5.0, .width = 2.0, .side = snug::Side::left, .corner = {3.0, 4.0}, .heading = 0.7});
