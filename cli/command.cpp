@@ -86,8 +86,8 @@ Action parse(const Arguments& arguments) {
     if (std::find(known.begin(), known.end(), word) != known.end()) {
         throw Error(word + " stands alone, but " + in_quotes(arguments[1]) + " follows; leave that out");
     }
-    throw Error(in_quotes(word) + " is no command; the nearest is " + nearest_word(word.substr(0, 100), known) +
-                ", and snug --help lists them all");
+    throw Error(in_quotes(word) + " is no command; " +
+                did_you_mean(nearest_word(word, known), "write " + either(names()) + ", or --help"));
 }
 
 int run(const Arguments& arguments) {

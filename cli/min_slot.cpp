@@ -95,12 +95,9 @@ std::vector<int> counts(const Options& options) {
 
 /// max-steer, or stepping with the step of its loop.
 void set_strategy(const Options& options, Question& question) {
+    static_cast<void>(options.choice("--strategy", {"max-steer", "fewest", "stepping"}));  // no trials
     question.strategy = strategy(options);
     const bool stepping = std::holds_alternative<Stepping>(question.strategy);
-    if (!stepping && !std::holds_alternative<MaxSteer>(question.strategy)) {
-        throw Error("--strategy: min-slot does not know " + std::string(to_string(question.strategy)) +
-                    "; write max-steer or stepping");
-    }
     const char* used = question.given == Given::width ? "--length-step" : "--width-step";
     const char* unused = question.given == Given::width ? "--width-step" : "--length-step";
     for (const char* option : {used, unused}) {

@@ -35,8 +35,8 @@ Error unknown(const CLI::App& app, const std::string& argument) {
         }
     }
     const std::string name = argument.substr(0, argument.find('='));
-    return Error("unknown option " + in_quotes(name) + "; the nearest known option is " +
-                 nearest_word(name.substr(0, 100), names));
+    return Error("unknown option " + in_quotes(name) + "; " +
+                 did_you_mean(nearest_word(name, names), app.get_name() + " --help lists those there are"));
 }
 
 double side_of_slot(const Options& options, const std::string& name, double car_size) {
@@ -218,8 +218,9 @@ Car find_or_read_car(const std::string& name_or_file) {
     if (is_file) {
         return read_car(name_or_file);
     }
-    throw Error(in_quotes(name_or_file) + " is no known car; the nearest is " +
-                nearest_car_name(name_or_file.substr(0, 100)) + ", and a JSON file does as well");
+    throw Error(in_quotes(name_or_file) + " is no known car; " +
+                did_you_mean(nearest_car_name(name_or_file),
+                             "`snug cars` lists those there are, and a JSON file does as well"));
 }
 
 Car car(const Options& options) {

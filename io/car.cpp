@@ -49,8 +49,9 @@ struct CarFile {
         known.insert(known.end(), steerings.begin(), steerings.end());
         known.emplace_back("name");
         if (std::find(known.begin(), known.end(), word) == known.end()) {
-            throw Error("unknown key " + in_quotes(word) + "; the nearest known key is \"" +
-                        nearest_word(word.substr(0, longest_name), known) + '"');
+            std::optional<std::string> nearest = nearest_word(word, known);
+            if (nearest) nearest = in_quotes(*nearest);
+            throw Error("unknown key " + in_quotes(word) + "; " + did_you_mean(nearest, "write " + either(known)));
         }
         if (numbers.count(word) != 0 || (word == "name" && name)) {
             throw Error("key \"" + word + "\" is given twice; give it once");

@@ -84,7 +84,7 @@ std::optional<Car> find_car(std::string_view name) {
     return std::nullopt;
 }
 
-std::string nearest_car_name(std::string_view typed) {
+std::optional<std::string> nearest_car_name(std::string_view typed) {
     std::vector<std::string> names;
     for (const Car& car : catalogue()) {
         names.push_back(car.name());

@@ -2,38 +2,48 @@
 #pragma once
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
-#include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace snug {
 
-/// Levenshtein's distance: how many letters to insert, delete or replace.
+/// Damerau's distance: how many letters to insert, delete, replace or swap with their neighbour.
 inline std::size_t spelling_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    std::vector<std::vector<std::size_t>> starts(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            std::size_t& least = starts[i][j];  // of the first i letters of a to the first j of b
+            least = i + j;
+            if (i == 0 || j == 0) continue;
+            const std::size_t replaced = starts[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            least = std::min({replaced, starts[i - 1][j] + 1, starts[i][j - 1] + 1});
+            const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            if (swapped) least = std::min(least, starts[i - 2][j - 2] + 1);
         }
     }
-    return row[b.size()];
+    return starts[a.size()][b.size()];
 }
 
-/// The word that was probably meant: one that holds what was typed, else the closest in spelling; the first of several.
-/// There must be one.
-inline std::string nearest_word(std::string_view typed, const std::vector<std::string>& words) {
-    const auto distance = [&](const std::string& word) {
-        return typed.size() > 1 && word.find(typed) != word.npos ? 0 : spelling_distance(word, typed);
-    };
-    return *std::min_element(words.begin(), words.end(),
-                             [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
+/// The word that was probably meant: one with a part that begins with what was typed ("renault-zoe" for "zoe"), or the
+/// closest in spelling if at most a third of the letters differ; the first of several.
+inline std::optional<std::string> nearest_word(std::string_view typed, const std::vector<std::string>& words) {
+    std::string lower(typed.substr(0, 100));  // what is longer is near nothing
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string part = lower.substr(std::min(lower.find_first_not_of('-'), lower.size()));
+    std::optional<std::string> nearest;
+    std::size_t least = lower.npos;
+    for (const std::string& word : words) {
+        const bool begins = part.size() > 1 && ('-' + word).find('-' + part) != word.npos;
+        const std::size_t distance = begins ? 0 : spelling_distance(word, lower);
+        if (3 * distance > std::max(word.size(), lower.size()) || distance >= least) continue;
+        least = distance;
+        nearest = word;
+    }
+    return nearest;
 }
 
 /// "a, b or c"
@@ -43,6 +53,11 @@ inline std::string either(const std::vector<std::string>& words) {
         text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
     }
     return text;
+}
+
+/// "did you mean X?" when one of the words is near what was typed, otherwise what to do instead.
+inline std::string did_you_mean(const std::optional<std::string>& nearest, const std::string& otherwise) {
+    return nearest ? "did you mean " + *nearest + '?' : otherwise;
 }
 
 /// A control character of ASCII, which could break or overwrite a line.

@@ -59,7 +59,7 @@ double steer_for_curb_to_curb(double wheelbase, double width, double diameter);
 std::vector<Car> catalogue();
 /// The catalogue's car of that name.
 std::optional<Car> find_car(std::string_view name);
-/// The catalogue's name closest in spelling to what was typed.
-std::string nearest_car_name(std::string_view typed);
+/// The catalogue's name that was probably meant by what was typed; empty when none comes near.
+std::optional<std::string> nearest_car_name(std::string_view typed);
 
 }  // namespace snug

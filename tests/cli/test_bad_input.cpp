@@ -118,6 +118,39 @@ TEST(BadInput, WordsThatAreNotKnown) {
     expect_refusal(run("cars zoe"), {"\"zoe\"", "renault-zoe"});
 }
 
+TEST(BadInput, OnlyWordsThatAreNearAreSuggested) {
+    const auto suggests = [](const std::string& line, const std::string& word) {
+        expect_refusal(run(line), {"; did you mean " + word + "?\n"});
+    };
+    const auto suggests_nothing = [](const std::string& line, const std::string& instead) {
+        const Result result = run(line);
+        expect_refusal(result, {instead});
+        EXPECT_EQ(result.err.find("did you mean"), std::string::npos) << result.err;
+    };
+    suggests("entyr --car mid-size", "entry");
+    suggests("slot", "min-slot");
+    suggests("--verison", "--version");
+    suggests_nothing("park", "write entry, min-slot, leave, cars or paper, or --help");
+    suggests_nothing("-x", "--help");
+    suggests_nothing(std::string(100'000, 'e'), "--help");
+    suggests("cars vw", "vw-transporter");
+    suggests("cars Zoe", "renault-zoe");
+    suggests("cars opel-crosa", "opel-corsa");
+    suggests_nothing("cars golf", "`snug cars`");
+    suggests_nothing("entry --car fiat-500 --length 5 --width 2", "`snug cars`");
+    suggests(zoe + "--max-chagnes 3", "--max-changes");
+    suggests(zoe + "--changes 3", "--max-changes");
+    suggests(zoe + "--CAR 3", "--car");
+    suggests(zoe + "-widht=3", "--width");
+    suggests_nothing(zoe + "--speed 3", "snug entry --help");
+    suggests_nothing(zoe + "-x", "snug entry --help");
+    const Folder folder;
+    suggests("cars " + folder.with("near.json", R"({"wheel-base": 2})"), "\"wheelbase\"");
+    suggests_nothing(
+        "cars " + folder.with("far.json", R"({"length": 2})"),
+        "write width, front, rear, wheelbase, max_steer, max_steer_deg, turning_radius, curb_to_curb or name");
+}
+
 TEST(BadInput, BytesThatAreNoTextAreShownAsNumbers) {
     const auto shown_as = [](const std::string& typed, const std::string& shown) {
         expect_refusal(run({"entry", "--length", "5", "--width", "2", "--car", typed}), {'"' + shown + '"'});

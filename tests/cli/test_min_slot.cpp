@@ -181,7 +181,7 @@ TEST(MinSlot, BadInputIsNamed) {
     expect_refusal(run(asked + "--max-length 0"), {"--max-length"});
     expect_refusal(run(asked + "--threads 0"), {"--threads"});
     expect_refusal(run(asked + "--enter sideways"), {"--enter", "backward or forward"});
-    expect_refusal(run(asked + "--strategy reversed-trials"), {"--strategy", "max-steer or stepping"});
+    expect_refusal(run(asked + "--strategy reversed-trials"), {"--strategy", "max-steer, fewest or stepping"});
     expect_refusal(run(asked + "--length-step 0.1"), {"--length-step", "stepping"});
     expect_refusal(run(asked + "--strategy stepping --length-step 0"), {"--length-step"});
     expect_refusal(run(asked + "--strategy stepping --width-step 0.1"), {"--width-step", "--length-step"});

@@ -158,6 +158,12 @@ TEST(Catalogue, SuggestsTheNearestName) {
     EXPECT_EQ(snug::nearest_car_name("mercedes-amg"), "mercedes-amg-gt");
     EXPECT_EQ(snug::nearest_car_name("vwtransporter"), "vw-transporter");
     EXPECT_EQ(snug::nearest_car_name("ople-corsa"), "opel-corsa");
+    EXPECT_EQ(snug::nearest_car_name("vw"), "vw-transporter");
+    EXPECT_EQ(snug::nearest_car_name("Zoe"), "renault-zoe");
+    EXPECT_EQ(snug::nearest_car_name("MID-SIZE"), "mid-size");
+    for (const char* none : {"", "-", "z", "oe", "fiat-500", "golf", "mercedes-benz-sprinter", "my-car"})
+        EXPECT_FALSE(snug::nearest_car_name(none)) << none;
+    EXPECT_FALSE(snug::nearest_car_name(std::string(1'000'000, 'x')));
 }
 
 }  // namespace
