@@ -1,5 +1,5 @@
 # A thin front: every target sets itself up, then CMake's presets do the work.
-.PHONY: build demo test soak bench pictures format clean setup check-format check-tidy
+.PHONY: build demo test soak bench pictures docs format clean setup check-format check-tidy
 .NOTPARALLEL:
 
 JOBS := $(shell nproc)
@@ -50,6 +50,7 @@ pictures: setup
 	        $$(test $$strategy = fewest && echo --resolution 0.002) --format csv -o build/pictures/$$car-$$strategy.csv \
 	        || exit; done; done
 	/usr/bin/python3 paper/all_maneuvers.py build/pictures docs/pictures/minimum-slots.png
+	/usr/bin/python3 docs/entry_ranges.py build/release/snug docs/pictures/entry-ranges.png
 
 # Every figure, table and claim of the paper again, in one report.
 paper: setup
@@ -58,6 +59,14 @@ paper: setup
 	cmake --build --preset release --parallel $(JOBS) --target snug_cli
 	build/release/snug paper --out build/paper
 	/usr/bin/python3 paper/figures.py build/paper
+
+# The documentation as one site, build/docs/html; a warning is an error.
+docs: build
+	@setup/install.sh docs-packages.txt
+	@mkdir -p build/docs/reference
+	doxygen docs/Doxyfile
+	PYTHONPATH=build/release/python /usr/bin/sphinx-build -W --keep-going -q -b html -d build/docs/doctrees docs build/docs/html
+	@echo "The documentation is build/docs/html/index.html"
 
 format: setup
 	clang-format -i $(SOURCES)
