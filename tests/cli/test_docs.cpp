@@ -1,7 +1,8 @@
-// Does README.md and everything in docs/ show what the command really prints?
+// Does README.md and everything in docs/ show what really works and is really printed?
 //
-// Two forms are checked: a block ```console with lines "$ snug ...", each followed by its output, and a block ```sh with
-// one line "build/release/snug ..." followed by a block with its output.
+// console: lines "$ snug ...", each followed by its output. sh: commands, one a line; a single "build/release/snug ..." may
+// be followed by a block with its output; a make target must be in the Makefile, and everything else in a test. cpp and
+// cmake: part of an example or of the project that tests the package. json: a car. python: run by tests/python.
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -66,38 +67,95 @@ void expect_alike(const std::string& printed, const std::string& shown, const st
     }
 }
 
-int check(const std::filesystem::path& file) {
-    int commands = 0;
-    const auto expect = [&](const std::string& arguments, const std::string& output) {
-        expect_alike(run(arguments).out, output, file.filename().string() + " shows: snug " + arguments);
-        ++commands;
+/// Commands with their outputs.
+void check_console(const std::string& text, const std::string& where) {
+    std::string arguments;
+    std::string output;
+    std::istringstream lines(text);
+    const auto expect = [&] {
+        if (!arguments.empty()) expect_alike(run(arguments).out, output, where + " shows: snug " + arguments);
     };
-    const std::vector<Block> all = blocks(file);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const std::string built = "build/release/snug ";
-        if (all[i].kind == "sh" && all[i].text.rfind(built, 0) == 0 && i + 1 < all.size() && all[i + 1].kind.empty() &&
-            all[i + 1].follows_at_once)
-            expect(all[i].text.substr(built.size(), all[i].text.find('\n') - built.size()), all[i + 1].text);
-        if (all[i].kind != "console") continue;
-        std::string arguments;
-        std::string output;
-        std::istringstream lines(all[i].text);
-        for (std::string line; std::getline(lines, line);) {
-            if (line.rfind("$ snug ", 0) != 0) {
-                output += line + "\n";
-                continue;
-            }
-            if (!arguments.empty()) expect(arguments, output);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("$ snug ", 0) == 0) {
+            expect();
             arguments = line.substr(7);
             output.clear();
+        } else {
+            output += line + "\n";
         }
-        expect(arguments, output);
     }
-    return commands;
+    EXPECT_NE(arguments, "") << where << " has a console block without a command: " << text;
+    expect();
 }
 
-TEST(Docs, ShowWhatTheCommandPrints) {
-    EXPECT_GE(check(root / "README.md"), 2);
+/// Everything below these folders and files, one after the other.
+std::string all_of(const std::vector<std::string>& places) {
+    std::string text;
+    for (const std::string& place : places) {
+        if (std::filesystem::is_directory(root / place)) {
+            for (const auto& entry : std::filesystem::recursive_directory_iterator(root / place))
+                if (entry.is_regular_file()) text += contents(entry.path()) + "\n";
+        } else {
+            text += contents(root / place);
+        }
+    }
+    return text;
+}
+
+void check_shell(const Block& block, const Block* next, const std::string& where) {
+    const std::string built = "build/release/snug ";
+    std::istringstream lines(block.text);
+    for (std::string line; std::getline(lines, line);) {
+        line = line.substr(0, line.find(" #"));
+        line.erase(line.find_last_not_of(' ') + 1);
+        if (line.rfind(built, 0) == 0) {
+            const Result result = run(line.substr(built.size()));
+            EXPECT_LE(result.exit_code, 1) << where << ": " << line << '\n' << result.err;
+            if (next != nullptr && next->kind.empty() && next->follows_at_once)
+                expect_alike(result.out, next->text, where + " shows: " + line);
+        } else if (line.rfind("make ", 0) == 0) {
+            EXPECT_NE(contents(root / "Makefile").find("\n" + line.substr(5) + ":"), std::string::npos)
+                << where << ": " << line;
+        } else {
+            EXPECT_NE(all_of({"tests"}).find(line), std::string::npos) << where << ", but in no test: " << line;
+        }
+    }
+}
+
+void check_car(const std::string& text, const std::string& where) {
+    const Folder folder;
+    const Result result = run("cars " + folder.with("car.json", text));
+    EXPECT_EQ(result.exit_code, 0) << where << ": " << text << result.err;
+}
+
+void check(const std::filesystem::path& file) {
+    const std::string where = file.filename().string();
+    const std::vector<Block> all = blocks(file);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Block& block = all[i];
+        if (block.kind == "console") {
+            check_console(block.text, where);
+        } else if (block.kind == "sh") {
+            check_shell(block, i + 1 < all.size() ? &all[i + 1] : nullptr, where);
+        } else if (block.kind == "cpp" || block.kind == "cmake") {
+            EXPECT_NE(all_of({"examples", "tests/consumer"}).find(block.text), std::string::npos)
+                << where << ", but in no example:\n"
+                << block.text;
+        } else if (block.kind == "json") {
+            check_car(block.text, where);
+        } else if (block.kind.empty()) {
+            EXPECT_TRUE(i > 0 && all[i - 1].kind == "sh" && block.follows_at_once)
+                << where << " has a block that nothing prints:\n"
+                << block.text;
+        } else {
+            EXPECT_TRUE(block.kind == "python" || block.kind == "{toctree}" || block.kind.rfind("{auto", 0) == 0)
+                << where << " has a block of an unknown kind, " << block.kind;
+        }
+    }
+}
+
+TEST(Docs, ShowWhatReallyWorks) {
+    check(root / "README.md");
     for (const auto& entry : std::filesystem::directory_iterator(root / "docs"))
         if (entry.path().extension() == ".md") check(entry.path());
 }
