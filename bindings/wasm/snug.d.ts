@@ -1,0 +1,190 @@
+// The solver for JavaScript: types of snug.mjs. Lengths are metres, angles radians. Cars, slots and answers are the objects
+// of the command's JSON, key by key (docs/formats.md). Every question throws an Error whose message says what is wrong with
+// the input and what would be right; a question about valid input never throws.
+
+/** A car of the catalogue by name, or its dimensions. */
+export type CarLike = string | (CarLengths & Steering);
+
+interface CarLengths {
+    name?: string;
+    width: number;
+    front: number;
+    rear: number;
+    wheelbase: number;
+}
+type Steering =
+    | { max_steer: number }
+    | { max_steer_deg: number }
+    | { turning_radius: number }
+    | { curb_to_curb: number };
+
+export interface Car extends CarLengths {
+    max_steer: number;
+}
+
+export interface SlotLike {
+    length: number;
+    width: number;
+    side?: "right" | "left";
+    corner?: [number, number];
+    heading?: number;
+}
+export type Slot = Required<SlotLike>;
+
+export interface Pose {
+    x: number;
+    y: number;
+    heading: number;
+}
+
+export interface Move {
+    direction: "backward" | "forward";
+    steering: "left" | "right" | "straight";
+    /** Positive to the left. */
+    steering_angle: number;
+    length: number;
+    start: Pose;
+    end: Pose;
+    contact: { car: string; obstacle: string } | null;
+}
+
+export interface Maneuver {
+    direction_changes: number;
+    length: number;
+    swept: { x_min: number; x_max: number; y_min: number; y_max: number };
+    entry: Pose;
+    goal: Pose;
+    moves: Move[];
+}
+
+export interface HeadingRange {
+    heading_min: number;
+    heading_max: number;
+    direction_changes: number;
+    subrange: number;
+}
+
+interface Common {
+    clearance?: number;
+    enter?: "backward" | "forward";
+    max_changes?: number | null;
+}
+
+export interface EntryOptions extends Common {
+    min_range?: number;
+    /** Told the part done, 0 to 1; returning false gives the question up. */
+    progress?: (part: number) => boolean | void;
+}
+
+export interface EntryAnswer {
+    schema: 1;
+    car: Car;
+    slot: Slot;
+    strategy: "max-steer";
+    max_changes: number | null;
+    /** Null when the question was given up. */
+    parkable: boolean | null;
+    direction_changes?: number;
+    entry_ranges: HeadingRange[];
+    maneuver?: Maneuver;
+}
+
+export interface FewestProgress {
+    lower_bound: number;
+    direction_changes?: number;
+    spacing: number;
+    part: number;
+}
+
+export interface FewestOptions extends Common {
+    resolution?: number;
+    /** Seconds. */
+    time_limit?: number;
+    roomiest?: boolean;
+    /** Told whenever a bound or the lattice changes; returning false ends with the bounds found so far. */
+    progress?: (so_far: FewestProgress) => boolean | void;
+}
+
+interface Bounds {
+    direction_changes?: number;
+    proved: boolean;
+    lower_bound: number;
+    maneuver?: Maneuver;
+}
+
+export interface FewestAnswer extends Bounds {
+    schema: 1;
+    car: Car;
+    slot: Slot;
+    strategy: "fewest";
+    max_changes: number | null;
+    /** Null when undecided. */
+    parkable: boolean | null;
+    entry_ranges: [];
+}
+
+export interface LeaveAnswer extends Bounds {
+    schema: 1;
+    car: Car;
+    slot: Slot;
+}
+
+export interface MinSlotOptions extends Common {
+    /** One of the two: the slot's width, to find its length, or the other way round. */
+    width?: number;
+    length?: number;
+    min_range?: number;
+    strategy?: "max-steer" | "fewest";
+    /** For "fewest", which knows widths only. */
+    resolution?: number;
+    precision?: number;
+}
+
+export interface MinSlotRow {
+    max_changes: number;
+    /** What was asked for is null where nothing will do. */
+    width: number | null;
+    length: number | null;
+    entry_heading?: number | null;
+    /** "fewest": parking is proved impossible in any shorter slot. */
+    length_lower?: number;
+}
+
+export interface MaxSteerRun {
+    outcome: "parked" | "no-entry" | "stuck" | "never-touches" | "too-many-changes";
+    /** What was driven, however it ended. */
+    maneuver?: Maneuver;
+}
+
+export interface Snug {
+    readonly version: string;
+    /** The paper's five cars. */
+    cars(): Car[];
+    /** All entry headings that park with the fewest changes, or with at most `max_changes`: Problems 1 and 2. */
+    entry(car: CarLike, slot: SlotLike, options?: EntryOptions): EntryAnswer;
+    /** The paper's strategy from one entry heading. */
+    maxSteer(car: CarLike, slot: SlotLike, heading: number, options?: Common): MaxSteerRun;
+    /** The smallest slot: Problem 3. */
+    minSlot(car: CarLike, options: MinSlotOptions): MinSlotRow;
+    /** The fewest changes over all maneuvers, with proof. */
+    fewest(car: CarLike, slot: SlotLike, options?: FewestOptions): FewestAnswer;
+    /** The fewest changes to get out from where the car is parked. */
+    leave(
+        car: CarLike,
+        slot: SlotLike,
+        gaps: { front: number; curb: number; heading?: number },
+        options?: FewestOptions,
+    ): LeaveAnswer;
+    /** How much the slot lacks to hold the car at all. */
+    shortfall(car: CarLike, slot: SlotLike, options?: { clearance?: number }): { length: number; width: number };
+}
+
+/** Loads the solver. In a browser snug.wasm is fetched from beside the module unless `locateFile` says otherwise. */
+export default function load(options?: {
+    locateFile?: (name: string) => string;
+    wasmBinary?: ArrayBuffer;
+    instantiateWasm?: (
+        imports: WebAssembly.Imports,
+        done: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+    ) => object;
+}): Promise<Snug>;

@@ -1,0 +1,256 @@
+// The questions of the library for JavaScript. What goes in and out are the objects of the command's JSON, key by key, so
+// that docs/formats.md describes both; snug.d.ts has their types.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "snug/io.hpp"
+#include "snug/snug.hpp"
+
+namespace snug {
+namespace {
+
+using emscripten::val;
+
+/// What stands under a key of an options object; empty where there is none.
+std::optional<val> given(const val& object, const char* key) {
+    if (object.isUndefined() || object.isNull()) return std::nullopt;
+    const val value = object[key];
+    return value.isUndefined() || value.isNull() ? std::nullopt : std::optional(value);
+}
+
+std::optional<double> number_given(const val& object, const char* key) {
+    const std::optional<val> value = given(object, key);
+    if (value && !value->isNumber()) throw Error(std::string("\"") + key + "\" must be a number");
+    return value ? std::optional(value->as<double>()) : std::nullopt;
+}
+
+double number(const val& object, const char* key) {
+    const std::optional<double> value = number_given(object, key);
+    if (!value) throw Error(std::string("\"") + key + "\" is missing; give a number");
+    return *value;
+}
+
+/// A count as the options take it; what no int can hold is an Error as from any other number out of range.
+std::optional<int> count_given(const val& object, const char* key) {
+    const std::optional<double> value = number_given(object, key);
+    if (!value) return std::nullopt;
+    if (!(*value >= -1e9 && *value <= 1e9) || static_cast<double>(static_cast<int>(*value)) != *value)
+        throw Error(std::string("\"") + key + "\" must be a whole number");
+    return static_cast<int>(*value);
+}
+
+/// One of two words; the first where nothing is given.
+bool second_word(const val& object, const char* key, const std::string& first, const std::string& second) {
+    const std::optional<val> value = given(object, key);
+    if (!value) return false;
+    const std::string word = value->isString() ? value->as<std::string>() : "";
+    if (word != first && word != second)
+        throw Error(std::string("\"") + key + "\" must be \"" + first + "\" or \"" + second + "\"");
+    return word == second;
+}
+
+Car car_from(const val& object) {
+    if (object.isString()) {
+        const std::string name = object.as<std::string>();
+        if (const std::optional<Car> car = find_car(name)) return *car;
+        const std::optional<std::string> nearest = nearest_car_name(name);
+        throw Error("no car has that name" +
+                    (nearest ? "; did you mean \"" + *nearest + "\"?" : "; cars() lists them"));
+    }
+    const val text = val::global("JSON").call<val>("stringify", object);
+    return car_from_json(text.isString() ? text.as<std::string>() : "", "car");
+}
+
+Slot slot_from(const val& object) {
+    SlotDimensions slot;
+    slot.length = number(object, "length");
+    slot.width = number(object, "width");
+    slot.side = second_word(object, "side", "right", "left") ? Side::left : Side::right;
+    if (const std::optional<val> corner = given(object, "corner"))
+        slot.corner = {number(*corner, "0"), number(*corner, "1")};
+    slot.heading = number_given(object, "heading").value_or(0.0);
+    return Slot(slot);
+}
+
+/// The options that every question has.
+template <class Options>
+Options common(const val& object) {
+    Options options;
+    options.clearance = number_given(object, "clearance").value_or(0.0);
+    options.enter = second_word(object, "enter", "backward", "forward") ? Enter::forward : Enter::backward;
+    return options;
+}
+
+val as_object(const Json& json) {
+    return val::global("JSON").call<val>("parse", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+/// What the callback under "progress" wants: to go on, unless it returns false.
+template <class Told>
+bool goes_on(const val& progress, const Told& told) {
+    return !progress(told).isFalse();
+}
+
+/// The answer; an Error becomes JavaScript's, with the same message.
+template <class Question>
+val answered(const Question& question) {
+    std::string message;
+    try {
+        return question();
+    } catch (const std::bad_alloc&) {
+        message = "out of memory; ask for a coarser resolution or a smaller slot";
+    } catch (const std::exception& error) {
+        message = error.what();
+    }
+    val::global("Error").new_(message).throw_();
+}
+
+val cars() {
+    return answered([] {
+        Json list = Json::array();
+        for (const Car& car : catalogue()) list.push_back(as_json(car));
+        return as_object(list);
+    });
+}
+
+val entry_question(const val& given_car, const val& given_slot, const val& given_options) {
+    return answered([&] {
+        const Car car = car_from(given_car);
+        const Slot slot = slot_from(given_slot);
+        auto options = common<EntryOptions>(given_options);
+        options.max_changes = count_given(given_options, "max_changes");
+        options.min_range = number_given(given_options, "min_range").value_or(0.0);
+        if (const std::optional<val> progress = given(given_options, "progress"))
+            options.progress = [progress](double part) { return goes_on(*progress, part); };
+        return as_object(as_json(car, slot, options, entry(car, slot, options)));
+    });
+}
+
+val max_steer_question(const val& given_car, const val& given_slot, const val& heading, const val& given_options) {
+    return answered([&] {
+        const Car car = car_from(given_car);
+        const Slot slot = slot_from(given_slot);
+        auto options = common<MaxSteerOptions>(given_options);
+        options.max_changes = count_given(given_options, "max_changes").value_or(options.max_changes);
+        if (!heading.isNumber()) throw Error("the entry heading must be a number");
+        const MaxSteerRun run = max_steer(car, slot, heading.as<double>(), options);
+        constexpr const char* outcomes[] = {"parked", "no-entry", "stuck", "never-touches", "too-many-changes"};
+        Json json = {{"outcome", outcomes[static_cast<int>(run.outcome)]}};
+        if (!run.maneuver.moves.empty()) json["maneuver"] = as_json(run.maneuver);
+        return as_object(json);
+    });
+}
+
+FewestOptions fewest_options(const val& object) {
+    auto options = common<FewestOptions>(object);
+    options.max_changes = count_given(object, "max_changes").value_or(options.max_changes);
+    options.resolution = number_given(object, "resolution").value_or(0.0);
+    options.time_limit = number_given(object, "time_limit").value_or(options.time_limit);
+    if (const std::optional<val> roomiest = given(object, "roomiest")) options.roomiest = !roomiest->isFalse();
+    if (const std::optional<val> progress = given(object, "progress"))
+        options.progress = [progress,
+                            last = FewestProgress{-1, std::nullopt, 0.0, 0.0}](const FewestProgress& so_far) mutable {
+            // The search reports thousands of times a second; a call into JavaScript is dear.
+            if (so_far.lower_bound == last.lower_bound && so_far.direction_changes == last.direction_changes &&
+                so_far.spacing == last.spacing && so_far.part < last.part + 0.01)
+                return true;
+            last = so_far;
+            Json json = {{"lower_bound", so_far.lower_bound}, {"spacing", so_far.spacing}, {"part", so_far.part}};
+            if (so_far.direction_changes) json["direction_changes"] = *so_far.direction_changes;
+            return goes_on(*progress, as_object(json));
+        };
+    return options;
+}
+
+val fewest_question(const val& given_car, const val& given_slot, const val& given_options) {
+    return answered([&] {
+        const Car car = car_from(given_car);
+        const Slot slot = slot_from(given_slot);
+        const std::optional<int> max_changes = count_given(given_options, "max_changes");
+        return as_object(as_json(car, slot, max_changes, fewest(car, slot, fewest_options(given_options))));
+    });
+}
+
+val leave_question(const val& given_car, const val& given_slot, const val& gaps, const val& given_options) {
+    return answered([&] {
+        const Car car = car_from(given_car);
+        const Slot slot = slot_from(given_slot);
+        const Pose parked = parked_pose(
+            car, slot, {number(gaps, "front"), number(gaps, "curb"), number_given(gaps, "heading").value_or(0.0)});
+        return as_object(leave_as_json(car, slot, leave(car, slot, parked, fewest_options(given_options))));
+    });
+}
+
+/// A row of `snug min-slot`: the shortest slot of a width, or the narrowest of a length.
+val min_slot_question(const val& given_car, const val& given_options) {
+    return answered([&] {
+        const Car car = car_from(given_car);
+        const std::optional<double> width = number_given(given_options, "width");
+        const std::optional<double> length = number_given(given_options, "length");
+        if (width.has_value() == length.has_value()) throw Error("give either \"width\" or \"length\" of the slot");
+        const int max_changes = count_given(given_options, "max_changes").value_or(0);
+        Json row = {{"max_changes", max_changes}};
+        if (second_word(given_options, "strategy", "max-steer", "fewest")) {
+            if (!width) throw Error("strategy \"fewest\" needs the \"width\" of the slot");
+            auto options = common<FewestLengthOptions>(given_options);
+            options.max_changes = max_changes;
+            options.resolution = number_given(given_options, "resolution").value_or(0.0);
+            options.precision = number_given(given_options, "precision").value_or(options.precision);
+            const FewestLength found = min_length_fewest(car, *width, options);
+            row["width"] = *width;
+            row["length"] = found.length ? Json(*found.length) : Json();
+            row["length_lower"] = found.length_lower;
+            return as_object(row);
+        }
+        auto options = common<MinSlotOptions>(given_options);
+        options.max_changes = max_changes;
+        options.min_range = number_given(given_options, "min_range").value_or(0.0);
+        const std::optional<MinSlot> slot = width ? min_length(car, *width, options) : min_width(car, *length, options);
+        row["width"] = slot ? Json(slot->width) : width ? Json(*width) : Json();
+        row["length"] = slot ? Json(slot->length) : length ? Json(*length) : Json();
+        row["entry_heading"] = slot ? Json(slot->entry_heading) : Json();
+        return as_object(row);
+    });
+}
+
+val shortfall_question(const val& given_car, const val& given_slot, const val& given_options) {
+    return answered([&] {
+        const Shortfall missing = shortfall(car_from(given_car), slot_from(given_slot),
+                                            number_given(given_options, "clearance").value_or(0.0));
+        return as_object({{"length", missing.length}, {"width", missing.width}});
+    });
+}
+
+/// A question whose last argument, the options, may be left out.
+template <val (*asked)(const val&, const val&, const val&)>
+void with_options(const char* name) {
+    emscripten::function(name, asked);
+    emscripten::function(
+        name, +[](const val& first, const val& second) { return asked(first, second, val::undefined()); });
+}
+template <val (*asked)(const val&, const val&, const val&, const val&)>
+void with_options(const char* name) {
+    emscripten::function(name, asked);
+    emscripten::function(
+        name, +[](const val& first, const val& second, const val& third) {
+            return asked(first, second, third, val::undefined());
+        });
+}
+
+EMSCRIPTEN_BINDINGS(snug) {
+    emscripten::constant("version", std::string(SNUG_VERSION));
+    emscripten::function("cars", &cars);
+    with_options<&entry_question>("entry");
+    with_options<&max_steer_question>("maxSteer");
+    emscripten::function("minSlot", &min_slot_question);
+    with_options<&fewest_question>("fewest");
+    with_options<&leave_question>("leave");
+    with_options<&shortfall_question>("shortfall");
+}
+
+}  // namespace
+}  // namespace snug
