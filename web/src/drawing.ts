@@ -1,0 +1,399 @@
+// The street from above, to scale, and the handles that change it. Drawn in the slot's frame with the road at the top; a
+// slot on the left is seen by a car that drives to the left, so nothing is mirrored.
+import type { Car, HeadingRange, Pose } from "snug";
+import { countColor } from "./colors";
+import { set, setText, svg } from "./dom";
+import { clamp, corners, degrees, samples, type Point, type Track } from "./geometry";
+
+export interface Scene {
+    car: Car;
+    length: number;
+    width: number;
+    left: boolean;
+    forward: boolean;
+    clearance: number;
+    /** The entry heading shown, in the slot's sense. */
+    heading: number;
+    ranges: HeadingRange[];
+    track: Track | null;
+    parked: boolean;
+    swept: boolean;
+}
+
+export interface Handles {
+    /** Something was dragged to a new size or heading [m, rad]. */
+    length(value: number): void;
+    width(value: number): void;
+    heading(value: number): void;
+}
+
+/** From the slot's frame to the picture. */
+interface View {
+    scale: number;
+    x0: number;
+    y0: number;
+    flip: number;
+}
+
+type Drag = "rear" | "front" | "curb" | "heading";
+
+const bodyPath =
+    "M.08-1L.84-1C.945-1 .982-.9 .988-.58C1.004-.2 1.004 .2 .988 .58C.982 .9 .945 1 .84 1L.08 1C.03 1 .008 .93 .005 .66" +
+    "C-.002 .25-.002-.25 .005-.66C.008-.93 .03-1 .08-1Z";
+const glassPath =
+    "M.69-.8C.735-.4 .735 .4 .69 .8C.64 .87 .58 .88 .5 .88L.26 .88C.18 .88 .14 .84 .09 .72C.07 .3 .07-.3 .09-.72" +
+    "C.14-.84 .18-.88 .26-.88L.5-.88C.58-.88 .64-.87 .69-.8ZM.595-.7C.625-.35 .625 .35 .595 .7L.19 .68" +
+    "C.165 .35 .165-.35 .19-.68Z";
+
+const round = (value: number) => value.toFixed(2);
+
+export function createDrawing(root: SVGSVGElement, handles: Handles) {
+    let scene: Scene | null = null;
+    let view: View = { scale: 50, x0: 0, y0: 0, flip: 1 };
+    let drag: { what: Drag; grab: number } | null = null;
+    let size = { width: 0, height: 0 };
+
+    const layer = (name: string) => root.appendChild(svg("g", { class: name }));
+    const street = layer("street");
+    const fan = layer("fan");
+    const neighbours = layer("neighbours");
+    const trail = layer("trail");
+    const vehicle = layer("vehicle");
+    const dimensions = layer("dimensions");
+    const grips = layer("grips");
+
+    // --- what stays and only moves
+    const carShape = (kind: string) =>
+        svg("g", { class: kind }, svg("path", { d: bodyPath, class: "body" }), svg("path", { d: glassPath, class: "glass" }));
+    const rearCar = neighbours.appendChild(carShape("neighbour"));
+    const frontCar = neighbours.appendChild(carShape("neighbour"));
+    const body = vehicle.appendChild(carShape("car"));
+    const wheels = [0, 1, 2, 3].map(() => vehicle.appendChild(svg("path", { class: "wheel" })));
+    const outline = vehicle.appendChild(svg("path", { class: "frame" }));
+    const axle = vehicle.appendChild(svg("path", { class: "axle" }));
+
+    const grip = (what: Drag, label: string) => {
+        const element = svg(
+            "g",
+            { class: `grip ${what}`, role: "slider", tabindex: 0, "aria-label": label, "data-grip": what },
+            svg("circle", { r: 22, class: "reach" }),
+            svg("circle", { r: 13, class: "knob" }),
+            svg("path", {
+                class: "arrows",
+                d: what === "curb" || what === "heading" ? "M-3.5-3L0-7L3.5-3M-3.5 3L0 7L3.5 3" : "M-3-3.5L-7 0L-3 3.5M3-3.5L7 0L3 3.5",
+            }),
+        );
+        grips.appendChild(element);
+        return element;
+    };
+    const rearGrip = grip("rear", "Rear neighbour: length of the slot");
+    const frontGrip = grip("front", "Front neighbour: length of the slot");
+    const curbGrip = grip("curb", "Curb: width of the slot");
+    const headingGrip = grip("heading", "Entry heading");
+
+    const at = (p: Point): [number, number] => [view.x0 + view.flip * p.x * view.scale, view.y0 - p.y * view.scale];
+    const to = (p: Point) => at(p).map(round).join(" ");
+    const polygon = (points: Point[]) => `M${points.map(to).join("L")}Z`;
+    const path = (points: Point[]) => `M${points.map(to).join("L")}`;
+    const box = (x1: number, y1: number, x2: number, y2: number) =>
+        polygon([{ x: x1, y: y1 }, { x: x2, y: y1 }, { x: x2, y: y2 }, { x: x1, y: y2 }]);
+
+    /** A car shape standing at a pose: x from the rear to the front, y to its left. */
+    const place = (element: SVGElement, car: Pick<Car, "front" | "rear" | "width">, pose: Pose) => {
+        const k = view.scale;
+        const c = Math.cos(pose.heading);
+        const s = Math.sin(pose.heading);
+        const long = (car.front + car.rear) * k;
+        const half = (car.width / 2) * k;
+        const [x, y] = at({ x: pose.x - car.rear * c, y: pose.y - car.rear * s });
+        const f = view.flip;
+        set(element, { transform: `matrix(${[f * c * long, -s * long, -f * s * half, -c * half, x, y].map((v) => v.toFixed(4)).join(" ")})` });
+    };
+
+    const fit = (s: Scene) => {
+        const narrow = size.width < 600;
+        const margin = narrow ? 1.15 : 2.6;
+        const above = Math.max(2.3, Math.min(s.car.front * 0.6 + 0.9, 8));
+        const below = narrow ? 1.25 : 1.35;
+        const scale = Math.min(size.width / (s.length + 2 * margin), size.height / (s.width + above + below));
+        const spare = size.height / scale - (s.width + above + below);
+        view.scale = scale;
+        view.flip = s.left ? -1 : 1;
+        view.x0 = size.width / 2 + (view.flip * s.length * scale) / 2;
+        view.y0 = (above + spare * 0.55) * scale;
+    };
+
+    const bounds = () => {
+        const xs = [-view.x0, size.width - view.x0].map((x) => (view.flip * x) / view.scale);
+        return { left: Math.min(...xs), right: Math.max(...xs), top: view.y0 / view.scale, bottom: -(size.height - view.y0) / view.scale };
+    };
+
+    const drawStreet = (s: Scene) => {
+        const edge = bounds();
+        const lane = Math.min(3.2, edge.top - 0.3);
+        const parts: SVGElement[] = [svg("path", { class: "road", d: box(edge.left, edge.top, edge.right, -s.width) })];
+        let grid = "";
+        for (let x = Math.ceil(edge.left); x <= edge.right; ++x) grid += path([{ x, y: edge.top }, { x, y: edge.bottom }]);
+        for (let y = Math.ceil(edge.bottom); y <= edge.top; ++y) grid += path([{ x: edge.left, y }, { x: edge.right, y }]);
+        parts.push(
+            svg("path", { class: "sidewalk", d: box(edge.left, -s.width, edge.right, edge.bottom) }),
+            svg("path", { class: "blocked", d: box(edge.left, 0, -s.length, -s.width) + box(0, 0, edge.right, -s.width) }),
+            svg("path", { class: "floor", d: box(-s.length, 0, 0, -s.width) }),
+            svg("path", { class: "grid", d: view.scale > 12 ? grid : "" }),
+            svg("path", { class: "lane", d: path([{ x: edge.left, y: lane }, { x: edge.right, y: lane }]) }),
+            svg("path", { class: "curb", d: path([{ x: edge.left, y: -s.width }, { x: edge.right, y: -s.width }]) }),
+            svg("path", {
+                class: "slot",
+                d: path([{ x: -s.length, y: 0 }, { x: -s.length, y: -s.width }, { x: 0, y: -s.width }, { x: 0, y: 0 }]),
+            }),
+            svg("path", { class: "entry-side", d: path([{ x: -s.length, y: 0 }, { x: 0, y: 0 }]) }),
+        );
+        street.replaceChildren(...parts);
+        const other = { rear: 0.8, front: 3.5, width: clamp(1.78, 0, s.width * 0.92) };
+        const y = -other.width / 2 - Math.min(0.02, s.width * 0.02);
+        place(frontCar, other, { x: other.rear, y, heading: 0 });
+        place(rearCar, other, { x: -s.length - other.front, y, heading: 0 });
+    };
+
+    // --- the protractor on which the entry headings lie
+    const fanCentre = (s: Scene): Point => ({ x: s.forward ? -s.length : 0, y: 0 });
+    const fanRadius = () => clamp(1.75 * view.scale, 60, Math.max(60, Math.min(150, view.y0 - 26))) / view.scale;
+    const ray = (s: Scene, heading: number, radius: number): Point => {
+        const c = fanCentre(s);
+        return { x: c.x + (s.forward ? -1 : 1) * radius * Math.cos(heading), y: radius * Math.sin(heading) };
+    };
+
+    const drawFan = (s: Scene) => {
+        const radius = fanRadius();
+        const arc = (from: number, till: number, r: number) =>
+            Array.from({ length: 33 }, (_, i) => ray(s, from + ((till - from) * i) / 32, r));
+        const parts: SVGElement[] = [
+            svg("path", { class: "protractor", d: polygon([fanCentre(s), ...arc(0, Math.PI / 2, radius)]) }),
+        ];
+        let ticks = "";
+        for (let d = 0; d <= 90; d += 5) {
+            const reach = d % 10 === 0 ? 9 : 5;
+            ticks += path([ray(s, (d * Math.PI) / 180, radius), ray(s, (d * Math.PI) / 180, radius - reach / view.scale)]);
+        }
+        parts.push(svg("path", { class: "ticks", d: ticks }));
+        for (const d of [0, 30, 60, 90]) {
+            const [x, y] = at(ray(s, (d * Math.PI) / 180, radius - 20 / view.scale));
+            parts.push(svg("text", { class: "degree", x: round(x), y: round(y + (d === 0 ? -2 : 4)), "text-anchor": "middle" }, `${d}°`));
+        }
+        for (const range of s.ranges) {
+            const wedge = polygon([fanCentre(s), ...arc(range.heading_min, range.heading_max, radius)]);
+            const color = countColor(range.direction_changes);
+            const word = `${range.direction_changes} direction changes: ${degrees(range.heading_min).toFixed(3)}° to ${degrees(range.heading_max).toFixed(3)}°`;
+            parts.push(svg("path", { class: "wedge", d: wedge, fill: color, stroke: color }, svg("title", {}, word)));
+        }
+        parts.push(svg("path", { class: "ray", d: path([fanCentre(s), ray(s, s.heading, radius)]) }));
+        fan.replaceChildren(...parts);
+    };
+
+    const drawTrail = (s: Scene) => {
+        const parts: SVGElement[] = [];
+        if (s.track && s.track.legs.length > 0) {
+            const poses = s.track.legs.map((leg) => samples(s.car, leg, 0.04));
+            if (s.swept) {
+                const frames = poses.flat().map((pose) => polygon(corners(s.car, pose)));
+                parts.push(svg("path", { class: "swept", d: frames.join("") }));
+            }
+            const ends = s.track.legs.slice(0, -1).map((leg) => polygon(corners(s.car, leg.end)));
+            parts.push(svg("path", { class: "ghosts", d: ends.join("") }));
+            parts.push(svg("path", { class: "entry-frame", d: polygon(corners(s.car, s.track.legs[0]!.start)) }));
+            if (s.parked) parts.push(svg("path", { class: "goal-frame", d: polygon(corners(s.car, s.track.legs.at(-1)!.end)) }));
+            for (const backward of [true, false]) {
+                const d = poses.filter((_, i) => s.track!.legs[i]!.backward === backward).map(path).join("");
+                if (d) parts.push(svg("path", { class: backward ? "path backward" : "path forward", d }));
+            }
+        }
+        const [x, y] = at(fanCentre(s));
+        parts.push(svg("circle", { class: "corner", cx: round(x), cy: round(y), r: 3.5 }));
+        trail.replaceChildren(...parts);
+    };
+
+    /** A dimension line between two points, `off` pixels from them, as on an engineering drawing. */
+    const dimension = (from: [number, number], till: [number, number], off: [number, number], text: string) => {
+        const [ax, ay] = [from[0] + off[0], from[1] + off[1]];
+        const [bx, by] = [till[0] + off[0], till[1] + off[1]];
+        const long = Math.hypot(bx - ax, by - ay) || 1;
+        const [ux, uy] = [(bx - ax) / long, (by - ay) / long];
+        const head = (x: number, y: number, d: number) =>
+            `M${round(x)} ${round(y)}L${round(x + d * (8 * ux - 2.6 * uy))} ${round(y + d * (8 * uy + 2.6 * ux))}` +
+            `L${round(x + d * (8 * ux + 2.6 * uy))} ${round(y + d * (8 * uy - 2.6 * ux))}Z`;
+        const upright = Math.abs(uy) > Math.abs(ux);
+        const [mx, my] = [(ax + bx) / 2, (ay + by) / 2];
+        const reach = (p: number, q: number) => q + Math.sign(q - p) * 5;
+        return svg(
+            "g",
+            {},
+            svg("path", {
+                class: "extension",
+                d: `M${round(from[0])} ${round(from[1])}L${round(reach(from[0], ax))} ${round(reach(from[1], ay))}M${round(till[0])} ${round(till[1])}L${round(reach(till[0], bx))} ${round(reach(till[1], by))}`,
+            }),
+            svg("path", { class: "line", d: `M${round(ax)} ${round(ay)}L${round(bx)} ${round(by)}` }),
+            svg("path", { class: "head", d: head(ax, ay, 1) + head(bx, by, -1) }),
+            svg(
+                "text",
+                {
+                    class: "measure",
+                    x: round(mx),
+                    y: round(my),
+                    dy: upright ? "-0.45em" : "-0.4em",
+                    "text-anchor": "middle",
+                    transform: upright ? `rotate(-90 ${round(mx)} ${round(my)})` : null,
+                },
+                text,
+            ),
+        );
+    };
+
+    const drawDimensions = (s: Scene) => {
+        const below = Math.min(1.0 * view.scale, size.height - at({ x: 0, y: -s.width })[1] - 12);
+        const [a, b] = [at({ x: -s.length, y: -s.width }), at({ x: 0, y: -s.width })];
+        const [left, right] = s.left ? [b, a] : [a, b];
+        const edge = bounds();
+        const rearEnd = s.left ? edge.right : edge.left;
+        const beside = at({ x: s.left ? rearEnd : rearEnd, y: 0 })[0] < size.width / 2 ? 26 : size.width - 14;
+        dimensions.replaceChildren(
+            dimension(left, right, [0, Math.max(below, 18)], `${s.length.toFixed(3)} m`),
+            dimension([beside, at({ x: 0, y: -s.width })[1]], [beside, at({ x: 0, y: 0 })[1]], [0, 0], `${s.width.toFixed(3)} m`),
+        );
+        const slider = (element: SVGElement, p: Point, now: number, low: number, high: number, text: string) => {
+            const [x, y] = at(p);
+            set(element, {
+                transform: `translate(${round(x)} ${round(y)})`,
+                "aria-valuenow": now.toFixed(3),
+                "aria-valuemin": low,
+                "aria-valuemax": high,
+                "aria-valuetext": text,
+            });
+        };
+        const inward = 24 / view.scale;
+        const middle = -s.width / 2;
+        slider(rearGrip, { x: -s.length - inward, y: middle }, s.length, 0.5, 40, `${s.length.toFixed(3)} metres`);
+        slider(frontGrip, { x: inward, y: middle }, s.length, 0.5, 40, `${s.length.toFixed(3)} metres`);
+        slider(curbGrip, { x: -s.length / 2, y: -s.width - 17 / view.scale }, s.width, 0.3, 10, `${s.width.toFixed(3)} metres`);
+        const knob = ray(s, s.heading, fanRadius() + 17 / view.scale);
+        slider(headingGrip, knob, degrees(s.heading), 0, 90, `${degrees(s.heading).toFixed(2)} degrees off parallel`);
+        const turn = degrees(s.heading) * (s.left === s.forward ? -1 : 1);
+        set(headingGrip, { transform: `${headingGrip.getAttribute("transform")} rotate(${round(turn)})` });
+    };
+
+    const render = (next: Scene) => {
+        scene = next;
+        if (size.width === 0) return;
+        if (!drag) fit(next);
+        else if (drag.what === "front") {
+            // The corner the scene hangs on is the one being dragged: keep the rear neighbour where it is.
+            view.x0 = dragAnchor + view.flip * next.length * view.scale;
+        }
+        drawStreet(next);
+        drawFan(next);
+        drawTrail(next);
+        drawDimensions(next);
+        setText(title, `A slot of ${next.length.toFixed(3)} by ${next.width.toFixed(3)} metres seen from above, and the car`);
+    };
+    const title = root.insertBefore(svg("title", {}), root.firstChild);
+
+    /** The car itself, at a pose and with its front wheels turned. */
+    const showCar = (pose: Pose, steer: number) => {
+        if (!scene || size.width === 0) return;
+        const { car } = scene;
+        place(body, car, pose);
+        set(outline, { d: polygon(corners(car, pose)) });
+        const c = Math.cos(pose.heading);
+        const s = Math.sin(pose.heading);
+        const local = (ahead: number, left: number): Point => ({ x: pose.x + ahead * c - left * s, y: pose.y + ahead * s + left * c });
+        const [long, wide] = [0.065 * (car.front + car.rear), 0.05 * car.width];
+        const beside = car.width / 2 - 1.6 * wide;
+        const places: [number, number, number][] = [
+            [0, beside, 0],
+            [0, -beside, 0],
+            [Math.min(car.wheelbase, car.front), beside, steer],
+            [Math.min(car.wheelbase, car.front), -beside, steer],
+        ];
+        places.forEach(([ahead, left, turn], i) => {
+            const [tc, ts] = [Math.cos(turn), Math.sin(turn)];
+            const corner = (u: number, v: number) => local(ahead + u * tc - v * ts, left + u * ts + v * tc);
+            set(wheels[i]!, { d: polygon([corner(long, wide), corner(-long, wide), corner(-long, -wide), corner(long, -wide)]) });
+        });
+        const arm = 5 / view.scale;
+        set(axle, { d: path([local(-arm, 0), local(arm, 0)]) + path([local(0, -arm), local(0, arm)]) });
+    };
+
+    // --- dragging
+    let dragAnchor = 0;
+    const pointer = (event: PointerEvent): Point => {
+        const frame = root.getBoundingClientRect();
+        return {
+            x: (view.flip * (event.clientX - frame.left - view.x0)) / view.scale,
+            y: (view.y0 - (event.clientY - frame.top)) / view.scale,
+        };
+    };
+    const snap = (value: number) => Math.round(value * 200) / 200; // 5 mm
+
+    const what = (target: EventTarget | null): Drag | null => {
+        const element = target instanceof Element ? target : null;
+        const held = element?.closest("[data-grip]")?.getAttribute("data-grip") as Drag | undefined;
+        if (held) return held;
+        if (element && rearCar.contains(element)) return "rear";
+        return element && frontCar.contains(element) ? "front" : null;
+    };
+
+    root.addEventListener("pointerdown", (event) => {
+        const grabbed = what(event.target);
+        if (!grabbed || !scene || event.button !== 0) return;
+        event.preventDefault();
+        root.setPointerCapture(event.pointerId);
+        const p = pointer(event);
+        dragAnchor = view.x0 - view.flip * scene.length * view.scale;
+        const grab = { rear: p.x + scene.length, front: p.x, curb: p.y + scene.width, heading: 0 }[grabbed];
+        drag = { what: grabbed, grab };
+        root.classList.add("dragging");
+        ({ rear: rearGrip, front: frontGrip, curb: curbGrip, heading: headingGrip })[grabbed].focus({ preventScroll: true });
+    });
+    root.addEventListener("pointermove", (event) => {
+        if (!drag || !scene) return;
+        const p = pointer(event);
+        if (drag.what === "rear") handles.length(snap(drag.grab - p.x));
+        else if (drag.what === "front") handles.length(snap(scene.length + p.x - drag.grab));
+        else if (drag.what === "curb") handles.width(snap(drag.grab - p.y));
+        else {
+            const c = fanCentre(scene);
+            const heading = Math.atan2(p.y, (scene.forward ? -1 : 1) * (p.x - c.x));
+            handles.heading(clamp(heading < -Math.PI / 2 ? Math.PI / 2 : heading, 0, Math.PI / 2));
+        }
+    });
+    const release = () => {
+        if (!drag) return;
+        drag = null;
+        root.classList.remove("dragging");
+        if (scene) handles.length(scene.length);
+    };
+    root.addEventListener("pointerup", release);
+    root.addEventListener("pointercancel", release);
+
+    root.addEventListener("keydown", (event) => {
+        const held = what(event.target);
+        if (!held || !scene) return;
+        const more = ["ArrowUp", "ArrowRight", "PageUp"].includes(event.key);
+        if (!more && !["ArrowDown", "ArrowLeft", "PageDown"].includes(event.key)) return;
+        event.preventDefault();
+        const big = event.shiftKey || event.key.startsWith("Page");
+        const step = (more ? 1 : -1) * (big ? 10 : event.altKey ? 0.1 : 1);
+        const tidy = (value: number) => Math.round(value * 1e6) / 1e6;
+        if (held === "heading") handles.heading(clamp(scene.heading + (step * Math.PI) / 180 / 10, 0, Math.PI / 2));
+        else if (held === "curb") handles.width(tidy(scene.width + step / 100));
+        else handles.length(tidy(scene.length + step / 100));
+    });
+
+    new ResizeObserver(([entry]) => {
+        const { width, height } = entry!.contentRect;
+        size = { width, height };
+        set(root, { viewBox: `0 0 ${round(width)} ${round(height)}` });
+        if (scene) handles.length(scene.length);
+    }).observe(root);
+
+    return { render, showCar, busy: () => drag !== null };
+}

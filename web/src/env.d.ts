@@ -1,0 +1,4 @@
+declare module "snug.wasm?url" {
+    const url: string;
+    export default url;
+}

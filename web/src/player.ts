@@ -1,0 +1,152 @@
+// Plays a maneuver: time goes on, the car drives; it stands still for a moment where it changes direction.
+import type { Car, Maneuver } from "snug";
+import { byId, html, set, setText } from "./dom";
+import { clamp, degrees, legAt, poseAt, type Track } from "./geometry";
+
+const speed = 0.55; // [m/s]
+const pause = 0.45; // [s], at a direction change
+const wheelTurns = 1.5; // of the steering wheel from straight to full
+
+interface Played {
+    car: Car;
+    maneuver: Maneuver;
+    track: Track;
+}
+
+export function createPlayer(show: (pose: { x: number; y: number; heading: number }, steer: number) => void) {
+    const button = byId<HTMLButtonElement>("play");
+    const scrub = byId<HTMLInputElement>("scrub");
+    const wheel = byId<SVGGElement>("wheel");
+    const now = byId("now");
+    const detail = byId("now-detail");
+    const list = byId("moves");
+    let played: Played | null = null;
+    let distance = 0;
+    let leg = 0;
+    let rest = 0;
+    let running = false;
+    let last = 0;
+
+    const place = () => {
+        if (!played) return;
+        const { car, track, maneuver } = played;
+        const current = track.legs[leg]!;
+        show(poseAt(car, { legs: [current], length: track.length }, distance), current.steer);
+        scrub.value = String(Math.round((1000 * distance) / track.length));
+        const move = maneuver.moves[leg]!;
+        const share = Math.abs(move.steering_angle) / car.max_steer;
+        const how = share < 1e-9 ? "straight" : `${share > 1 - 1e-9 ? "full " : ""}${move.steering}`;
+        const angle = `${degrees(Math.abs(move.steering_angle)).toFixed(1)}°`;
+        set(wheel, { transform: `rotate(${((-move.steering_angle / car.max_steer) * wheelTurns * 360).toFixed(1)})` });
+        const parked = distance >= track.length;
+        setText(now, parked ? "Parked" : `${leg + 1} of ${track.legs.length}: ${move.direction}, ${how}`);
+        const driven = clamp(distance - current.from, 0, current.length);
+        setText(detail, `${share < 1e-9 ? "wheels straight" : `wheels ${angle}`} · ${driven.toFixed(3)} of ${move.length.toFixed(3)} m`);
+        set(scrub, { "aria-valuetext": `move ${leg + 1} of ${track.legs.length}, ${driven.toFixed(2)} metres` });
+        [...list.children].forEach((row, i) => set(row, { "aria-current": i === leg ? "step" : null }));
+        document.documentElement.dataset.pose = JSON.stringify(poseAt(car, track, distance));
+    };
+
+    const halt = () => {
+        running = false;
+        setText(button, "Play");
+        set(button, { "data-state": "paused" });
+    };
+
+    const goTo = (to: number, at?: number) => {
+        if (!played) return;
+        distance = clamp(to, 0, played.track.length);
+        leg = at ?? legAt(played.track, distance);
+        rest = 0;
+        place();
+    };
+
+    const tick = (time: number) => {
+        if (!running || !played) return;
+        const passed = Math.min((time - last) / 1000, 0.1) * Number(byId<HTMLSelectElement>("speed").value);
+        last = time;
+        if (rest > 0) rest -= passed;
+        else {
+            const { track } = played;
+            const current = track.legs[leg]!;
+            const end = current.from + current.length;
+            distance = Math.min(distance + passed * speed, end);
+            if (distance >= end && leg + 1 < track.legs.length) {
+                rest = track.legs[leg + 1]!.backward === current.backward ? 0 : pause;
+                ++leg;
+            } else if (distance >= end) {
+                distance = track.length;
+                place();
+                halt();
+                return;
+            }
+            place();
+        }
+        requestAnimationFrame(tick);
+    };
+
+    button.addEventListener("click", () => {
+        if (!played) return;
+        if (running) {
+            halt();
+            return;
+        }
+        if (distance >= played.track.length) goTo(0);
+        running = true;
+        setText(button, "Pause");
+        set(button, { "data-state": "playing" });
+        last = performance.now();
+        requestAnimationFrame(tick);
+    });
+    scrub.addEventListener("input", () => {
+        halt();
+        if (played) goTo((Number(scrub.value) / 1000) * played.track.length);
+    });
+    byId("previous").addEventListener("click", () => {
+        halt();
+        const current = played?.track.legs[leg];
+        if (current) goTo(distance > current.from + 1e-9 ? current.from : (played!.track.legs[leg - 1]?.from ?? 0));
+    });
+    byId("next").addEventListener("click", () => {
+        halt();
+        const current = played?.track.legs[leg];
+        if (current) goTo(current.from + current.length);
+    });
+
+    const contactWords = (contact: { car: string; obstacle: string } | null, isLast: boolean) =>
+        contact ? `${contact.car} meets ${contact.obstacle}` : isLast ? "stop: parked" : "stop";
+
+    /** A new maneuver, from its start; null where there is none. */
+    const load = (next: Played | null) => {
+        halt();
+        played = next;
+        for (const id of ["play", "scrub", "previous", "next"]) byId<HTMLButtonElement>(id).disabled = !next;
+        if (!next) {
+            list.replaceChildren();
+            setText(now, "No maneuver");
+            setText(detail, "");
+            delete document.documentElement.dataset.pose;
+            set(wheel, { transform: null });
+            return;
+        }
+        list.replaceChildren(
+            ...next.maneuver.moves.map((move, i) => {
+                const step = html(
+                    "button",
+                    { type: "button" },
+                    html("span", { class: `arrow ${move.direction}`, "aria-hidden": "true" }, move.direction === "backward" ? "←" : "→"),
+                    html("span", { class: "how" }, `${move.direction}, ${move.steering}`),
+                    html("span", { class: "far" }, `${move.length.toFixed(3)} m`),
+                    html("span", { class: "until" }, contactWords(move.contact, i === next.maneuver.moves.length - 1)),
+                );
+                step.addEventListener("click", () => {
+                    halt();
+                    goTo(next.track.legs[i]!.from, i);
+                });
+                return html("li", {}, step);
+            }),
+        );
+        goTo(0, 0);
+    };
+    return { load, place };
+}

@@ -1,0 +1,86 @@
+// Questions that take longer than a frame, and how they are asked: each kind has a worker of its own, and a new question
+// of a kind ends the one before.
+import type { Car, FewestAnswer, FewestProgress, MinSlotRow } from "snug";
+
+interface Case {
+    car: Car;
+    clearance: number;
+    enter: "backward" | "forward";
+}
+
+export interface MapGrid {
+    columns: number;
+    rows: number;
+    extraLength: number;
+    extraWidth: number;
+}
+
+export interface Questions {
+    fewest: {
+        ask: Case & { length: number; width: number; side: "right" | "left" };
+        tell: { so_far: FewestProgress } | { answer: FewestAnswer };
+    };
+    "min-slot": {
+        ask: Case & { width: number; max_changes: number; strategy: "max-steer" | "fewest" };
+        tell: { row: MinSlotRow };
+    };
+    /** Counts of cells, -1 where the car cannot park, each given as [column, row, columns, rows, count]. */
+    map: {
+        ask: Case & { grid: MapGrid; strategy: "max-steer" | "fewest" };
+        tell: { cells: [number, number, number, number, number][]; done: boolean };
+    };
+}
+export type Kind = keyof Questions;
+export type Told<K extends Kind> = Questions[K]["tell"] | { error: string };
+
+export type ToWorker = { module: WebAssembly.Module } | { id: number; kind: Kind; ask: unknown };
+export interface FromWorker {
+    id: number;
+    told: unknown;
+    last: boolean;
+}
+
+interface Lane {
+    worker: Worker;
+    busy: boolean;
+    id: number;
+}
+
+export function asker(module: WebAssembly.Module) {
+    const lanes = new Map<string, Lane>();
+    let ids = 0;
+
+    const abandon = (lane: string) => {
+        const old = lanes.get(lane);
+        if (old?.busy) {
+            old.worker.terminate();
+            lanes.delete(lane);
+        }
+    };
+
+    const ask = <K extends Kind>(lane: string, kind: K, question: Questions[K]["ask"], tell: (told: Told<K>) => void) => {
+        abandon(lane);
+        let used = lanes.get(lane);
+        if (!used) {
+            const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+            worker.postMessage({ module } satisfies ToWorker);
+            used = { worker, busy: false, id: 0 };
+            lanes.set(lane, used);
+        }
+        const mine = used;
+        mine.busy = true;
+        mine.id = ++ids;
+        mine.worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
+            if (data.id !== mine.id) return;
+            if (data.last) mine.busy = false;
+            tell(data.told as Told<K>);
+        };
+        mine.worker.onerror = () => {
+            mine.worker.terminate();
+            if (lanes.get(lane) === mine) lanes.delete(lane);
+            tell({ error: "the solver stopped; change the slot to try again" });
+        };
+        mine.worker.postMessage({ id: mine.id, kind, ask: question } satisfies ToWorker);
+    };
+    return { ask, abandon };
+}

@@ -1,0 +1,101 @@
+// Answers long questions away from the page, one at a time.
+import type { Snug } from "snug";
+import type { FromWorker, Kind, Questions, ToWorker } from "./questions";
+import { start } from "./solver";
+
+type Tell = (told: unknown, last?: boolean) => void;
+type Answer<K extends Kind> = (snug: Snug, ask: Questions[K]["ask"], tell: (told: Questions[K]["tell"], last?: boolean) => void) => void;
+
+const timeLimit = 60; // [s]
+
+const fewest: Answer<"fewest"> = (snug, { car, clearance, enter, length, width, side }, tell) => {
+    const answer = snug.fewest(
+        car,
+        { length, width, side },
+        { clearance, enter, time_limit: timeLimit, progress: (so_far) => tell({ so_far }) },
+    );
+    tell({ answer }, true);
+};
+
+const minSlot: Answer<"min-slot"> = (snug, { car, ...options }, tell) => tell({ row: snug.minSlot(car, options) }, true);
+
+const map: Answer<"map"> = (snug, { car, clearance, enter, grid, strategy }, tell) => {
+    const size = (column: number, row: number) => ({
+        length: car.front + car.rear + ((column + 0.5) / grid.columns) * grid.extraLength,
+        width: car.width + ((row + 0.5) / grid.rows) * grid.extraWidth,
+    });
+    type Cells = Questions["map"]["tell"]["cells"];
+    if (strategy === "max-steer") {
+        // From the roomy slots down, so that something useful is there at once.
+        for (let row = grid.rows - 1; row >= 0; --row) {
+            const cells: Cells = [];
+            for (let column = 0; column < grid.columns; ++column) {
+                const answer = snug.entry(car, size(column, row), { clearance, enter });
+                cells.push([column, row, 1, 1, answer.direction_changes ?? -1]);
+            }
+            tell({ cells, done: false });
+        }
+        tell({ cells: [], done: true }, true);
+        return;
+    }
+    // A larger slot is no harder over all maneuvers: a block whose opposite corners need the same holds that count.
+    const known = new Map<number, number>();
+    const most = 12;
+    const count = (column: number, row: number) => {
+        const key = row * grid.columns + column;
+        let found = known.get(key);
+        if (found === undefined) {
+            const answer = snug.fewest(car, size(column, row), {
+                clearance,
+                enter,
+                max_changes: most,
+                resolution: (car.front + car.rear) / 1500,
+                time_limit: 0.4,
+                roomiest: false,
+            });
+            found = answer.direction_changes ?? -1;
+            known.set(key, found);
+        }
+        return found;
+    };
+    let blocks = [[0, 0, grid.columns - 1, grid.rows - 1]];
+    while (blocks.length > 0) {
+        const cut: number[][] = [];
+        for (const [left, low, right, high] of blocks as [number, number, number, number][]) {
+            const hard = count(left, low);
+            const easy = count(right, high);
+            const whole = (value: number) => tell({ cells: [[left, low, right - left + 1, high - low + 1, value]], done: false });
+            whole(hard === easy ? hard : easy);
+            if (hard === easy || (left === right && low === high)) continue;
+            const across = (left + right) >> 1;
+            const up = (low + high) >> 1;
+            if (left === right) cut.push([left, low, left, up], [left, up + 1, left, high]);
+            else if (low === high) cut.push([left, low, across, low], [across + 1, low, right, low]);
+            else
+                cut.push(
+                    [across + 1, up + 1, right, high],
+                    [left, up + 1, across, high],
+                    [across + 1, low, right, up],
+                    [left, low, across, up],
+                );
+        }
+        blocks = cut;
+    }
+    tell({ cells: [], done: true }, true);
+};
+
+const answers: { [K in Kind]: Answer<K> } = { fewest, "min-slot": minSlot, map };
+
+let snug: Promise<Snug>;
+onmessage = async ({ data }: MessageEvent<ToWorker>) => {
+    if ("module" in data) {
+        snug = start(data.module);
+        return;
+    }
+    const tell: Tell = (told, last = false) => postMessage({ id: data.id, told, last } satisfies FromWorker);
+    try {
+        (answers[data.kind] as (snug: Snug, ask: unknown, tell: Tell) => void)(await snug, data.ask, tell);
+    } catch (error) {
+        tell({ error: error instanceof Error ? error.message : String(error) }, true);
+    }
+};
