@@ -67,15 +67,15 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         svg("g", { class: kind }, svg("path", { d: bodyPath, class: "body" }), svg("path", { d: glassPath, class: "glass" }));
     const rearCar = neighbours.appendChild(carShape("neighbour"));
     const frontCar = neighbours.appendChild(carShape("neighbour"));
-    const body = vehicle.appendChild(carShape("car"));
     const wheels = [0, 1, 2, 3].map(() => vehicle.appendChild(svg("path", { class: "wheel" })));
+    const body = vehicle.appendChild(carShape("car"));
     const outline = vehicle.appendChild(svg("path", { class: "frame" }));
     const axle = vehicle.appendChild(svg("path", { class: "axle" }));
 
     const grip = (what: Drag, label: string) => {
         const element = svg(
             "g",
-            { class: `grip ${what}`, role: "slider", tabindex: 0, "aria-label": label, "data-grip": what },
+            { class: `grip grip-${what}`, role: "slider", tabindex: 0, "aria-label": label, "data-grip": what },
             svg("circle", { r: 22, class: "reach" }),
             svg("circle", { r: 13, class: "knob" }),
             svg("path", {
@@ -112,14 +112,15 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
 
     const fit = (s: Scene) => {
         const narrow = size.width < 600;
-        const margin = narrow ? 1.15 : 2.6;
+        // On a narrow screen the room goes to the side where the protractor is.
+        const [behind, ahead] = !narrow ? [2.6, 2.6] : s.forward ? [1.9, 0.6] : [0.6, 1.9];
         const above = Math.max(2.3, Math.min(s.car.front * 0.6 + 0.9, 8));
         const below = narrow ? 1.25 : 1.35;
-        const scale = Math.min(size.width / (s.length + 2 * margin), size.height / (s.width + above + below));
+        const scale = Math.min(size.width / (s.length + behind + ahead), size.height / (s.width + above + below));
         const spare = size.height / scale - (s.width + above + below);
         view.scale = scale;
         view.flip = s.left ? -1 : 1;
-        view.x0 = size.width / 2 + (view.flip * s.length * scale) / 2;
+        view.x0 = size.width / 2 + (view.flip * (s.length + behind - ahead) * scale) / 2;
         view.y0 = (above + spare * 0.55) * scale;
     };
 
@@ -157,7 +158,11 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
 
     // --- the protractor on which the entry headings lie
     const fanCentre = (s: Scene): Point => ({ x: s.forward ? -s.length : 0, y: 0 });
-    const fanRadius = () => clamp(1.75 * view.scale, 60, Math.max(60, Math.min(150, view.y0 - 26))) / view.scale;
+    const fanRadius = () => {
+        const edge = bounds();
+        const beside = scene!.forward ? -scene!.length - edge.left : edge.right;
+        return clamp(1.75, 55 / view.scale, Math.max(55, Math.min(150, Math.min(beside, edge.top) * view.scale - 34)) / view.scale);
+    };
     const ray = (s: Scene, heading: number, radius: number): Point => {
         const c = fanCentre(s);
         return { x: c.x + (s.forward ? -1 : 1) * radius * Math.cos(heading), y: radius * Math.sin(heading) };

@@ -1,0 +1,349 @@
+// The page as a person meets it: choosing, dragging, playing, sharing, saving, typing nonsense; by mouse, keyboard, touch.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, afterEach, before, test } from "node:test";
+import { gzipSync } from "node:zlib";
+import { readdirSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { native, open, root } from "./browser.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+let site;
+before(async () => {
+    site = await open();
+});
+after(() => site?.close());
+afterEach(() => assert.deepEqual(site.troubles.splice(0), [], "errors on the console or requests to elsewhere"));
+
+const text = (page, id) => page.locator(`#${id}`).textContent();
+const inputs = (page) => page.evaluate(() => window.snugPage.inputs());
+const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const choose = (page, name, value) => page.locator(`input[name=${name}][value=${value}]`).check({ force: true });
+const type = async (page, field, value) => {
+    await page.locator(`#${field}`).fill(value);
+    await settled(page);
+};
+const proved = (page) => page.waitForFunction(() => document.getElementById("count-note").textContent.startsWith("Proved"));
+
+test("each car of the catalogue has the command's answer, backward on the right and forward on the left", async () => {
+    const page = await site.page();
+    for (const { name } of await page.evaluate(() => window.snugPage.snug.cars())) {
+        await page.selectOption("#car", name);
+        for (const [side, enter, length, width] of [["right", "backward", "6.3", "2.3"], ["left", "forward", "9", "4"]]) {
+            await choose(page, "side", side);
+            await choose(page, "enter", enter);
+            await type(page, "length", length);
+            await type(page, "width", width);
+            const expected = native("entry", "--car", name, "--length", length, "--width", width, "--side", side, "--enter", enter);
+            assert.equal(await text(page, "count"), String(expected.direction_changes ?? "∅"), `${name} ${side} ${enter}`);
+        }
+    }
+    await page.context().close();
+});
+
+test("dragging the rear neighbour until the answer changes", async () => {
+    const page = await site.page();
+    const before = Number(await text(page, "count"));
+    const grip = await page.locator('[data-grip="rear"] .knob').boundingBox();
+    const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let by = 0; by <= 60; by += 4) await page.mouse.move(x - by, y);
+    await settled(page);
+    await page.mouse.up();
+    await settled(page);
+    const { length } = await inputs(page);
+    assert.ok(length > 5.2, `the slot is ${length} m long`);
+    assert.ok(Number(await text(page, "count")) < before);
+    // While dragging every frame had its answer in time; the machine may be busy, so only the middle one counts.
+    const times = await page.evaluate(() => window.snugPage.frameTimes.slice().sort((a, b) => a - b));
+    console.log(`# ${times.length} answers while dragging, the middle one in ${times[times.length >> 1].toFixed(2)} ms`);
+    await page.context().close();
+});
+
+test("dragging the front neighbour, the curb and the heading", async () => {
+    const page = await site.page();
+    const start = await inputs(page);
+    const drag = async (what, dx, dy) => {
+        const grip = await page.locator(`[data-grip="${what}"] .knob`).boundingBox();
+        const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
+        await page.mouse.move(x, y);
+        await page.mouse.down();
+        await page.mouse.move(x + dx / 2, y + dy / 2);
+        await page.mouse.move(x + dx, y + dy);
+        await settled(page);
+        await page.mouse.up();
+        await settled(page);
+    };
+    await drag("front", 30, 0);
+    const longer = await inputs(page);
+    assert.ok(longer.length > start.length);
+    await drag("curb", 0, 20);
+    const wider = await inputs(page);
+    assert.ok(wider.width > longer.width);
+    await drag("heading", -10, -30);
+    assert.ok((await inputs(page)).heading > 0);
+    assert.match(await text(page, "heading-note"), /^From here/);
+    await page.locator("#best").click();
+    await settled(page);
+    assert.equal((await inputs(page)).heading, null);
+    await page.context().close();
+});
+
+test("a maneuver played to its end stands where the command's ends", async () => {
+    const page = await site.page({ path: "#car=mid-size&length=5.1&width=2.2" });
+    await page.selectOption("#speed", "10");
+    await page.locator("#play").click();
+    await page.waitForFunction(() => document.getElementById("now").textContent === "Parked");
+    const pose = JSON.parse(await page.evaluate(() => document.documentElement.dataset.pose));
+    const { goal } = native("entry", "--car", "mid-size", "--length", 5.1, "--width", 2.2).maneuver;
+    for (const key of ["x", "y", "heading"]) assert.ok(Math.abs(pose[key] - goal[key]) < 1e-9, `${key}: ${pose[key]} and ${goal[key]}`);
+    // Step by step: back at the first move, then on over all ten.
+    await page.locator("#moves li button").first().click();
+    assert.match(await text(page, "now"), /^1 of 10: backward, full left/);
+    for (let i = 0; i < 10; ++i) await page.locator("#next").click();
+    assert.equal(await text(page, "now"), "Parked");
+    await page.locator("#scrub").fill("500");
+    assert.match(await text(page, "now"), / of 10: /);
+    await page.context().close();
+});
+
+test("the fewest over all maneuvers are proved in a worker, and abandoned when the slot changes", async () => {
+    const page = await site.page({ path: "#car=renault-zoe&length=5.2&width=1.9" });
+    assert.equal(await text(page, "count"), "3");
+    await choose(page, "strategy", "fewest");
+    await proved(page);
+    assert.equal(await text(page, "count"), "2");
+    await type(page, "length", "4.55");
+    await type(page, "length", "4.8");
+    await type(page, "width", "1.84");
+    await proved(page);
+    assert.equal(await text(page, "count"), "8");
+    await page.context().close();
+});
+
+test("a link brings everything back", async () => {
+    const page = await site.page();
+    await page.selectOption("#car", "vw-transporter");
+    await choose(page, "side", "left");
+    await type(page, "length", "6.4");
+    await type(page, "width", "2,35");
+    await type(page, "clearance", "0.02");
+    await type(page, "heading", "24.5");
+    await page.locator("summary").click();
+    await type(page, "car-wheelbase", "3.3");
+    await page.waitForFunction(() => location.hash.includes("wheelbase=3.3"));
+    const hash = new URL(page.url()).hash;
+    const [one, count] = [await inputs(page), await text(page, "count")];
+    const again = await site.page({ path: hash });
+    const two = await inputs(again);
+    const { car, ...rest } = one;
+    const { car: sameCar, ...sameRest } = two;
+    for (const key of Object.keys(rest))
+        if (typeof rest[key] === "number") assert.ok(Math.abs(rest[key] - sameRest[key]) < 1e-9, key);
+        else assert.equal(sameRest[key], rest[key], key);
+    for (const key of Object.keys(car)) assert.ok(Math.abs(car[key] - sameCar[key]) < 1e-8, key);
+    assert.equal(await text(again, "count"), count);
+    await page.context().close();
+    await again.context().close();
+});
+
+test("what is downloaded can be read", async () => {
+    const page = await site.page({ path: "#car=renault-zoe&length=4.5&width=2" });
+    const saved = async (what) => {
+        const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`#save-${what}`).click()]);
+        assert.equal(download.suggestedFilename(), `snug-renault-zoe-4.5x2.${what}`);
+        return readFileSync(await download.path());
+    };
+    const json = JSON.parse(String(await saved("json")));
+    assert.equal(json.schema, 1);
+    assert.equal(json.direction_changes, 18);
+    const [head, ...rows] = String(await saved("csv")).trim().split("\n");
+    assert.equal(head, "heading_min,heading_max,direction_changes,subrange");
+    assert.equal(rows.length, json.entry_ranges.length);
+    assert.equal(Number(rows[0].split(",")[0]), json.entry_ranges[0].heading_min);
+    const svg = String(await saved("svg"));
+    const parsed = await page.evaluate((source) => {
+        const document = new DOMParser().parseFromString(source, "image/svg+xml");
+        return { root: document.documentElement.localName, paths: document.querySelectorAll("path[fill]").length };
+    }, svg);
+    assert.equal(parsed.root, "svg");
+    assert.ok(parsed.paths > 10);
+    const png = await saved("png");
+    assert.equal(png.subarray(1, 4).toString(), "PNG");
+    assert.ok(png.length > 20_000, `the picture has ${png.length} bytes`);
+    assert.match(await text(page, "command"), /^snug entry --car renault-zoe --length 4.5 --width 2$/);
+    await page.context().close();
+});
+
+test("bad numbers are explained next to their field, and the last good picture stays", async () => {
+    const page = await site.page();
+    const count = await text(page, "count");
+    const street = await page.locator("#drawing .street").innerHTML();
+    for (const nonsense of ["", "4.", "-", "abc", "1e999", "NaN", "0", "-3", "1e6", "4,5,6", "<b>5</b>", "💥", "4.5 m", "9".repeat(40)]) {
+        await type(page, "length", "4.9");
+        await type(page, "length", nonsense);
+        if (nonsense === "4.") continue; // half-typed, and a number: four metres
+        assert.match(await text(page, "length-error"), /slot’s length|slot's length/, nonsense);
+        assert.equal(await page.locator("#length").getAttribute("aria-invalid"), "true");
+        assert.equal(await text(page, "count"), count, nonsense);
+        assert.equal(await page.locator("#drawing .street").innerHTML(), street, nonsense);
+    }
+    await type(page, "length", "5.5");
+    assert.equal(await text(page, "length-error"), "");
+    // The smallest and the largest numbers the page takes.
+    await page.locator("summary").click();
+    for (const [field, values] of Object.entries({ length: ["0.5", "40"], width: ["0.3", "10"], "car-width": ["0.3", "6"], "car-front": ["0.3", "25"],
+        "car-rear": ["0.05", "12"], "car-wheelbase": ["0.3", "20"], "car-steer": ["5", "80"], clearance: ["1", "0"], heading: ["0", "90"] }))
+        for (const value of values) {
+            await type(page, field, value);
+            assert.equal(await text(page, `${field}-error`), "", `${field} ${value}`);
+            assert.match(await text(page, "count"), /^(\d+|∅)$/);
+        }
+    await page.context().close();
+});
+
+test("random inputs never freeze the page or break it", async () => {
+    const page = await site.page();
+    const slowest = await page.evaluate(async () => {
+        let seed = 66;
+        const next = () => ((seed = (seed * 1103515245 + 12345) % 2147483648), seed / 2147483648);
+        let slowest = 0;
+        for (let i = 0; i < 60; ++i) {
+            const [a, b, c, d] = [next(), next(), next(), next()];
+            const before = performance.now();
+            location.hash = `car-width=${0.5 + 2 * a}&car-front=${1 + 6 * b}&car-rear=${0.1 + 2 * c}&car-wheelbase=${0.6 + 4 * b * d}&car-steer=${6 + 70 * d}&length=${1 + 11 * c}&width=${0.4 + 5 * a}&side=${a < 0.5 ? "left" : "right"}&enter=${b < 0.5 ? "forward" : "backward"}&clearance=${d < 0.3 ? d : 0}`;
+            await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+            slowest = Math.max(slowest, performance.now() - before);
+        }
+        return slowest;
+    });
+    console.log(`# the slowest of 60 random slots was on the screen after ${slowest.toFixed(0)} ms`);
+    assert.ok(slowest < 5000);
+    await page.context().close();
+});
+
+test("hostile and outdated links are explained and put nothing into the page", async () => {
+    const hostile = [
+        "#car=<img src=x onerror=alert(1)>&length=<script>alert(1)</script>",
+        "#car=%3Cimg%20src%3Dx%20onerror%3Dalert(1)%3E&width=javascript:alert(1)",
+        "#length=1e308&width=-0&side=up&strategy=__proto__&enter=constructor",
+        "#__proto__[x]=1&constructor=2&car=toString",
+        `#${"length=5&".repeat(5000)}`,
+        "#%E0%A4%A&length=%",
+    ];
+    for (const hash of hostile) {
+        const page = await site.page({ path: hash });
+        page.on("dialog", () => assert.fail("a dialog"));
+        const inside = await page.evaluate(() => [document.querySelectorAll("img, main script").length, document.body.innerHTML.includes("onerror")]);
+        assert.deepEqual(inside, [0, false], hash.slice(0, 60));
+        assert.match(await text(page, "count"), /^\d+$/);
+        await page.context().close();
+    }
+    const page = await site.page({ path: "#car=trabant&length=5.5" });
+    assert.match(await text(page, "trouble"), /not in the catalogue/);
+    assert.equal((await inputs(page)).length, 5.5);
+    await page.context().close();
+});
+
+test("without WebAssembly there is a sentence", async () => {
+    const page = await site.page({ ready: false, path: "story.html" });
+    await page.addInitScript(() => delete window.WebAssembly);
+    await page.goto(site.address);
+    await page.locator("#trouble").waitFor({ state: "visible" });
+    assert.match(await text(page, "trouble"), /needs a browser with WebAssembly/);
+    await page.context().close();
+});
+
+test("the keyboard alone reaches and changes everything", async () => {
+    const page = await site.page();
+    const reached = new Set();
+    for (let i = 0; i < 60; ++i) {
+        await page.keyboard.press("Tab");
+        reached.add(await page.evaluate(() => {
+            const at = document.activeElement;
+            return at.id || at.dataset.grip || at.name || at.className || at.localName;
+        }));
+        if (reached.has("save-csv")) break;
+    }
+    for (const what of ["rear", "front", "curb", "heading", "play", "previous", "next", "scrub", "speed", "car", "length", "width", "side", "enter",
+        "strategy", "clearance", "swept", "point", "copy-link", "copy-command", "save-svg", "save-png", "save-json", "save-csv"])
+        assert.ok(reached.has(what), `${what} is not reached: ${[...reached].join(", ")}`);
+    const press = async (selector, key) => {
+        await page.locator(selector).first().focus();
+        await page.keyboard.press(key);
+        await settled(page);
+        return inputs(page);
+    };
+    const { length, width } = await inputs(page);
+    const near = (a, b) => assert.ok(Math.abs(a - b) < 1e-9, `${a} and ${b}`);
+    near((await press('[data-grip="rear"]', "ArrowRight")).length, length + 0.01);
+    near((await press('[data-grip="front"]', "Shift+ArrowUp")).length, length + 0.11);
+    near((await press('[data-grip="curb"]', "Alt+ArrowUp")).width, width + 0.001);
+    assert.ok((await press('[data-grip="heading"]', "ArrowUp")).heading > 0);
+    near((await press(".point", "ArrowLeft")).length, length + 0.1);
+    near((await press("#length", "ArrowUp")).length, length + 0.11);
+    await page.context().close();
+});
+
+test("touch drags the curb on a phone, and nothing is wider than its screen", async () => {
+    const page = await site.page({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+    const client = await page.context().newCDPSession(page);
+    const { width } = await inputs(page);
+    const grip = await page.locator('[data-grip="curb"] .knob').boundingBox();
+    const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
+    const touch = (kind, points) => client.send("Input.dispatchTouchEvent", { type: kind, touchPoints: points });
+    await touch("touchStart", [{ x, y }]);
+    for (let by = 4; by <= 24; by += 4) await touch("touchMove", [{ x, y: y + by }]);
+    await touch("touchEnd", []);
+    await settled(page);
+    assert.ok((await inputs(page)).width > width);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+    const hidden = await page.evaluate(() =>
+        [...document.querySelectorAll("[data-grip] .knob")].filter((knob) => {
+            const { left, right } = knob.getBoundingClientRect();
+            return left < 0 || right > 360;
+        }).length,
+    );
+    assert.equal(hidden, 0, "handles outside the screen");
+    await page.context().close();
+});
+
+for (const colorScheme of ["light", "dark"])
+    for (const [device, viewport] of [["desktop", { width: 1400, height: 900 }], ["phone", { width: 360, height: 740 }]])
+        for (const path of ["", "story.html"])
+            test(`axe finds nothing wrong: ${path || "the page"}, ${device}, ${colorScheme}`, async () => {
+                const page = await site.page({ path, ready: !path, viewport, colorScheme });
+                const results = await page.evaluate(async (source) => {
+                    await new Function(`${source}; return true`).call(window);
+                    return (await window.axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target).join(", ")}`);
+                }, axe).catch(async () => {
+                    // The page's own policy forbids that; the debugger may.
+                    await page.context().newCDPSession(page).then((client) => client.send("Runtime.evaluate", { expression: axe }));
+                    return page.evaluate(async () =>
+                        (await window.axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target).join(", ")}`),
+                    );
+                });
+                site.troubles.splice(0, site.troubles.length, ...site.troubles.filter((trouble) => !trouble.includes("unsafe-eval")));
+                assert.deepEqual(results, []);
+                if (!path) {
+                    await page.goto(`${site.address}#car=renault-zoe&length=4.5&width=2`);
+                    await page.reload();
+                    await page.waitForFunction(() => document.documentElement.dataset.ready);
+                    await page.locator("#moves li button").nth(9).click();
+                }
+                const folder = process.env.SNUG_SCREENSHOTS ?? join(root, "../build/web");
+                await page.screenshot({ path: join(folder, `${path ? "story" : "page"}-${device}-${colorScheme}.png`), fullPage: device === "phone" || !!path });
+                await page.context().close();
+            });
+
+test("the first load is at most 300 KB compressed, and the page answers soon", async () => {
+    const files = (folder) =>
+        readdirSync(folder).flatMap((name) => (statSync(join(folder, name)).isDirectory() ? files(join(folder, name)) : [join(folder, name)]));
+    const size = files(join(root, "dist")).reduce((sum, file) => sum + gzipSync(readFileSync(file), { level: 9 }).length, 0);
+    const page = await site.page();
+    console.log(`# all files: ${(size / 1000).toFixed(0)} KB compressed; interactive after ${await page.evaluate(() => document.documentElement.dataset.ready)} ms`);
+    assert.ok(size <= 300_000, `${size} bytes`);
+    await page.context().close();
+});

@@ -1,0 +1,136 @@
+// The solver in the browser answers as the native one: the same counts and words, numbers within 1e-11. Sines differ in
+// their last digit between the two, and two questions carry that further: shortest slots are found to 1e-7 m by bisection,
+// and a search over all maneuvers may end at another one as good. There the counts and what is proved must be the same.
+import assert from "node:assert/strict";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { differences, native, open, random } from "./browser.mjs";
+
+const tolerance = { entry: 1e-11, minSlot: 2e-7, fewest: 0, leave: 0 };
+const decided = ({ parkable, direction_changes, proved, lower_bound, maneuver, error }) => ({
+    parkable,
+    direction_changes,
+    proved,
+    lower_bound,
+    driven: maneuver?.direction_changes,
+    error,
+});
+const seed = 6;
+const total = process.env.SNUG_SMALL ? 100 : 1000;
+let site;
+let page;
+const folder = mkdtempSync(join(tmpdir(), "snug-web-"));
+before(async () => {
+    site = await open();
+    page = await site.page();
+});
+after(async () => {
+    await site?.close();
+    rmSync(folder, { recursive: true });
+});
+
+/** Asks the page's solver many questions at once. */
+const inBrowser = (asked) =>
+    page.evaluate(
+        (questions) =>
+            questions.map(({ name, values }) => {
+                try {
+                    return window.snugPage.snug[name](...values);
+                } catch (error) {
+                    return { error: error.message };
+                }
+            }),
+        asked,
+    );
+
+test(`${total} random questions have the same answers as the command's`, { timeout: 600_000 }, async () => {
+    const next = random(seed);
+    const between = (low, high) => Number((low + (high - low) * next()).toFixed(5));
+    const catalogue = await page.evaluate(() => window.snugPage.snug.cars());
+    const cars = catalogue.map((car) => ({ car, argument: car.name }));
+    for (let i = 0; i < 25; ++i) {
+        const car = { name: `random-${i}`, width: between(1.4, 2.2), front: between(2.8, 4.4), rear: between(0.4, 1.3) };
+        car.wheelbase = Number((car.front * (0.7 + 0.15 * next())).toFixed(5));
+        car.max_steer = between(0.4, 0.85);
+        const argument = join(folder, `${car.name}.json`);
+        writeFileSync(argument, JSON.stringify(car));
+        cars.push({ car, argument });
+    }
+    const questions = Array.from({ length: total }, (_, i) => {
+        const { car, argument } = cars[Math.floor(next() * cars.length)];
+        const length = Number((car.front + car.rear + between(0.25, 1.9)).toFixed(5));
+        const width = Number((car.width + between(0.05, 0.8)).toFixed(5));
+        const side = next() < 0.5 ? "left" : "right";
+        const enter = next() < 0.2 ? "forward" : "backward";
+        const clearance = next() < 0.3 ? between(0.01, 0.05) : 0;
+        const slot = ["--car", argument, "--length", length, "--width", width, "--side", side];
+        const how = ["--enter", enter, "--clearance", clearance];
+        if (i % 20 === 0)
+            return {
+                name: "fewest",
+                values: [car, { length, width, side }, { enter, clearance, resolution: 0.01, max_changes: 12 }],
+                words: ["entry", ...slot, ...how, "--strategy", "fewest", "--resolution", 0.01, "--max-changes", 12],
+            };
+        if (i % 20 === 10)
+            return {
+                name: "leave",
+                values: [car, { length, width, side }, { front: 0.12, curb: 0.03 }, { resolution: 0.01, max_changes: 12 }],
+                words: ["leave", ...slot, "--gap-front", 0.12, "--gap-curb", 0.03, "--resolution", 0.01, "--max-changes", 12],
+            };
+        if (i % 10 === 5) {
+            const max_changes = Math.floor(next() * 8);
+            return {
+                name: "minSlot",
+                values: [car, { width, max_changes, clearance }],
+                words: ["min-slot", "--car", argument, "--width", width, "--max-changes", max_changes, "--clearance", clearance],
+            };
+        }
+        const max_changes = next() < 0.3 ? Math.floor(next() * 12) : undefined;
+        const limit = max_changes === undefined ? [] : ["--max-changes", max_changes];
+        return {
+            name: "entry",
+            values: [car, { length, width, side }, { enter, clearance, max_changes }],
+            words: ["entry", ...slot, ...how, ...limit],
+        };
+    });
+    const answers = [];
+    for (let i = 0; i < total; i += 100) answers.push(...(await inBrowser(questions.slice(i, i + 100))));
+    const failures = [];
+    questions.forEach(({ name, words }, i) => {
+        let expected = native(...words);
+        if (name === "minSlot" && expected.rows) [expected] = expected.rows;
+        const search = name === "fewest" || name === "leave";
+        const [got, wanted] = search ? [decided(answers[i]), decided(expected)] : [answers[i], expected];
+        const found = differences(got, wanted, tolerance[name]);
+        if (found.length > 0) failures.push(`seed ${seed}, number ${i}: snug ${words.join(" ")}\n  ${found.slice(0, 4).join("\n  ")}`);
+    });
+    assert.equal(failures.length, 0, `${failures.length} differ:\n${failures.slice(0, 12).join("\n")}`);
+});
+
+test("errors are JavaScript's, with the core's messages", async () => {
+    const slot = { length: 5, width: 2 };
+    const asked = await inBrowser([
+        { name: "entry", values: ["renault-zoo", slot] },
+        { name: "entry", values: [{ width: 1.8 }, slot] },
+        { name: "entry", values: ["renault-zoe", { length: -1, width: 2 }] },
+        { name: "entry", values: ["renault-zoe", { length: "5", width: 2 }] },
+        { name: "entry", values: ["renault-zoe", slot, { enter: "sideways" }] },
+        { name: "fewest", values: ["renault-zoe", slot, { max_changes: 1.5 }] },
+        { name: "maxSteer", values: ["renault-zoe", slot, 9] },
+        { name: "minSlot", values: ["renault-zoe", {}] },
+        { name: "leave", values: ["renault-zoe", slot, { front: 9, curb: 0 }] },
+    ]);
+    for (const answer of asked) assert.match(answer.error ?? "no error", /\w+ .* \w+/);
+    assert.match(asked[0].error, /did you mean "renault-zoe"/);
+    assert.match(asked[2].error, /slot length is -1 m, but must lie between/);
+    assert.equal(await page.evaluate(() => {
+        try {
+            window.snugPage.snug.entry("mid-size", { length: -1, width: 2 });
+        } catch (error) {
+            return error instanceof Error;
+        }
+    }), true);
+    assert.deepEqual(site.troubles, []);
+});
