@@ -113,14 +113,14 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     const fit = (s: Scene) => {
         const narrow = size.width < 600;
         // On a narrow screen the room goes to the side where the protractor is.
-        const [behind, ahead] = !narrow ? [2.6, 2.6] : s.forward ? [1.9, 0.6] : [0.6, 1.9];
+        const [behind, ahead] = !narrow ? [190, 210] : s.forward ? [104, 44] : [44, 104];
         const above = Math.max(2.3, Math.min(s.car.front * 0.6 + 0.9, 8));
         const below = narrow ? 1.25 : 1.35;
-        const scale = Math.min(size.width / (s.length + behind + ahead), size.height / (s.width + above + below));
+        const scale = Math.min((size.width - behind - ahead) / s.length, size.height / (s.width + above + below));
         const spare = size.height / scale - (s.width + above + below);
         view.scale = scale;
         view.flip = s.left ? -1 : 1;
-        view.x0 = size.width / 2 + (view.flip * (s.length + behind - ahead) * scale) / 2;
+        view.x0 = size.width / 2 + (view.flip * (s.length * scale + behind - ahead)) / 2;
         view.y0 = (above + spare * 0.55) * scale;
     };
 

@@ -250,7 +250,8 @@ function run(snug: Snug, module: WebAssembly.Module) {
                 questions.abandon(`map-${kind}`);
                 maps[kind].clear();
             }
-            soonMap(() => askMap("max-steer"));
+            mapsDue = true;
+            askMaps();
         }
         setText(byId("command"), commandLine(inputs));
         soonLink(() => {
@@ -258,6 +259,20 @@ function run(snug: Snug, module: WebAssembly.Module) {
             if (location.hash !== mine) history.replaceState(null, "", mine);
         });
     }
+
+    // The maps are computed once they are looked at.
+    let mapsDue = false;
+    let mapsSeen = false;
+    const askMaps = () =>
+        soonMap(() => {
+            if (!mapsDue || !mapsSeen) return;
+            mapsDue = false;
+            askMap("max-steer");
+        });
+    new IntersectionObserver((entries) => {
+        mapsSeen = entries.some((one) => one.isIntersecting);
+        askMaps();
+    }).observe(byId("map-max-steer"));
 
     function askFewest() {
         questions.ask("fewest", "fewest", { car: inputs.car, ...slot(), ...options() }, (told) => {
@@ -407,7 +422,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
     function presentHeading(run: ReturnType<Snug["maxSteer"]> | null, heading: number) {
         set(byId("best"), { hidden: run ? null : "" });
         if (run) {
-            setText(byId("heading"), angle(heading));
+            setText(byId("enter-at"), angle(heading));
             const moves = run.maneuver?.direction_changes ?? 0;
             const words = {
                 parked: `From here full steering takes ${moves} ${plural(moves)}.`,
@@ -416,18 +431,18 @@ function run(snug: Snug, module: WebAssembly.Module) {
                 "never-touches": "From here the car circles and never gets in.",
                 "too-many-changes": "From here more than 200 changes would be needed.",
             };
-            setText(byId("heading-note"), words[run.outcome]);
+            setText(byId("enter-at-note"), words[run.outcome]);
             return;
         }
         const range = widest(entry?.entry_ranges.filter((one) => one.direction_changes === entry?.direction_changes) ?? []);
         if (inputs.strategy === "fewest" || !range) {
-            setText(byId("heading"), shown ? angle(heading) : "–");
-            setText(byId("heading-note"), shown ? "off parallel" : "");
+            setText(byId("enter-at"), shown ? angle(heading) : "–");
+            setText(byId("enter-at-note"), shown ? "off parallel" : "");
             return;
         }
         const half = (range.heading_max - range.heading_min) / 2;
-        setText(byId("heading"), `${angle(heading)} ± ${degrees(half).toFixed(half < 0.001 ? 3 : 2)}°`);
-        setText(byId("heading-note"), `from ${angle(range.heading_min, 3)} to ${angle(range.heading_max, 3)} off parallel`);
+        setText(byId("enter-at"), `${angle(heading)} ± ${degrees(half).toFixed(half < 0.001 ? 3 : 2)}°`);
+        setText(byId("enter-at-note"), `from ${angle(range.heading_min, 3)} to ${angle(range.heading_max, 3)} off parallel`);
     }
 
     const widest = (ranges: HeadingRange[]) =>
