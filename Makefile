@@ -1,9 +1,9 @@
 # A thin front: every target sets itself up, then CMake's presets do the work.
-.PHONY: build demo test soak bench pictures docs format clean setup check-format check-tidy
+.PHONY: build demo test soak bench pictures docs web web-page web-test format clean setup check-format check-tidy
 .NOTPARALLEL:
 
 JOBS := $(shell nproc)
-SOURCES = $(shell find . -path ./build -prune -o -path ./out -prune -o -name '*.[ch]pp' -print)
+SOURCES = $(shell find . -path ./build -prune -o -path ./out -prune -o -path ./web/node_modules -prune -o -name '*.[ch]pp' -print)
 
 build: setup
 	cmake --preset release
@@ -26,6 +26,7 @@ test: check-format check-tidy build
 	cmake --preset threads
 	cmake --build --preset threads --parallel $(JOBS)
 	ctest --preset threads
+	$(MAKE) web-test
 
 # The random checks with their full number.
 soak: build
@@ -51,6 +52,8 @@ pictures: setup
 	        || exit; done; done
 	/usr/bin/python3 paper/all_maneuvers.py build/pictures docs/pictures/minimum-slots.png
 	/usr/bin/python3 docs/entry_ranges.py build/release/snug docs/pictures/entry-ranges.png
+	$(MAKE) web-test
+	cp build/web/page-desktop-light.png docs/pictures/page.png
 
 # Every figure, table and claim of the paper again, in one report.
 paper: setup
@@ -67,6 +70,24 @@ docs: build
 	doxygen docs/Doxyfile
 	PYTHONPATH=build/release/python /usr/bin/sphinx-build -W --keep-going -q -b html -d build/docs/doctrees docs build/docs/html
 	@echo "The documentation is build/docs/html/index.html"
+
+# The page, built and served on this machine until it is interrupted; vite prints the address.
+web: web-page
+	cd web && npx vite preview
+
+# The solver for the browser, build/wasm, and the page with it, web/dist. Emscripten finds its acorn among Debian's modules.
+web-page: setup
+	@setup/install.sh web-packages.txt
+	@command -v npm >/dev/null || setup/install.sh npm-packages.txt
+	NODE_PATH=/usr/share/nodejs emcmake cmake -S bindings/wasm -B build/wasm -G Ninja
+	NODE_PATH=/usr/share/nodejs cmake --build build/wasm --parallel $(JOBS)
+	cd web && { test node_modules/.package-lock.json -nt package-lock.json || npm ci --no-audit --no-fund; } && npm run build
+
+# The page in Chromium, against the command. Its screenshots are in build/web.
+web-test: web-page
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS) --target snug_cli
+	cd web && npm test
 
 format: setup
 	clang-format -i $(SOURCES)

@@ -327,7 +327,10 @@ for (const colorScheme of ["light", "dark"])
                     await page.goto(`${site.address}#car=renault-zoe&length=4.5&width=2`);
                     await page.reload();
                     await page.waitForFunction(() => document.documentElement.dataset.ready);
-                    await page.locator("#moves li button").nth(9).click();
+                    await page.evaluate(() => document.querySelectorAll("#moves li button")[9].click());
+                    await page.locator("#maps-title").scrollIntoViewIfNeeded();
+                    if (device === "phone") await page.waitForFunction(() => document.querySelector("#map-max-steer[data-done]"));
+                    await page.evaluate(() => scrollTo(0, 0));
                 }
                 const folder = process.env.SNUG_SCREENSHOTS ?? join(root, "../build/web");
                 await page.screenshot({ path: join(folder, `${path ? "story" : "page"}-${device}-${colorScheme}.png`), fullPage: device === "phone" || !!path });
