@@ -56,7 +56,7 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
     const goTo = (to: number, at?: number) => {
         if (!played) return;
         distance = clamp(to, 0, played.track.length);
-        leg = at ?? legAt(played.track, distance);
+        leg = Math.min(at ?? legAt(played.track, distance), played.track.legs.length - 1);
         rest = 0;
         place();
     };
@@ -116,19 +116,7 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
     const contactWords = (contact: { car: string; obstacle: string } | null, isLast: boolean) =>
         contact ? `${contact.car} meets ${contact.obstacle}` : isLast ? "stop: parked" : "stop";
 
-    /** A new maneuver, from its start; null where there is none. */
-    const load = (next: Played | null) => {
-        halt();
-        played = next;
-        for (const id of ["play", "scrub", "previous", "next"]) byId<HTMLButtonElement>(id).disabled = !next;
-        if (!next) {
-            list.replaceChildren();
-            setText(now, "No maneuver");
-            setText(detail, "");
-            delete document.documentElement.dataset.pose;
-            set(wheel, { transform: null });
-            return;
-        }
+    const showList = (next: Played) =>
         list.replaceChildren(
             ...next.maneuver.moves.map((move, i) => {
                 const step = html(
@@ -146,6 +134,30 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
                 return html("li", {}, step);
             }),
         );
+
+    let listing = 0;
+    let loadedAt = -Infinity;
+    /** A new maneuver, from its start; null where there is none. */
+    const load = (next: Played | null) => {
+        halt();
+        played = next;
+        for (const id of ["play", "scrub", "previous", "next"]) byId<HTMLButtonElement>(id).disabled = !next;
+        byId("maneuver").hidden = !next;
+        if (!next) {
+            clearTimeout(listing);
+            list.replaceChildren();
+            setText(now, "No maneuver");
+            setText(detail, "");
+            delete document.documentElement.dataset.pose;
+            set(wheel, { transform: null });
+            return;
+        }
+        // While a slot is dragged, answers come in every frame: the list follows when there is time.
+        clearTimeout(listing);
+        const asked = performance.now();
+        if (asked - loadedAt > 200) showList(next);
+        else listing = window.setTimeout(() => (showList(next), place()), 150);
+        loadedAt = asked;
         goTo(0, 0);
     };
     return { load, place };
