@@ -25,6 +25,8 @@ export interface Handles {
     length(value: number): void;
     width(value: number): void;
     heading(value: number): void;
+    /** Nothing is dragged any more: the scale may change. */
+    released(): void;
 }
 
 /** From the slot's frame to the picture. */
@@ -52,6 +54,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     let view: View = { scale: 50, x0: 0, y0: 0, flip: 1 };
     let drag: { what: Drag; grab: number } | null = null;
     let size = { width: 0, height: 0 };
+    let shown: { pose: Pose; steer: number } | null = null;
 
     const layer = (name: string) => root.appendChild(svg("g", { class: name }));
     const street = layer("street");
@@ -117,6 +120,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         const above = Math.max(2.3, Math.min(s.car.front * 0.6 + 0.9, 8));
         const below = narrow ? 1.25 : 1.35;
         const scale = Math.min((size.width - behind - ahead) / s.length, size.height / (s.width + above + below));
+        if (!(scale > 0)) return; // no room at all
         const spare = size.height / scale - (s.width + above + below);
         view.scale = scale;
         view.flip = s.left ? -1 : 1;
@@ -257,11 +261,11 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         const below = Math.min(1.0 * view.scale, size.height - at({ x: 0, y: -s.width })[1] - 12);
         const [a, b] = [at({ x: -s.length, y: -s.width }), at({ x: 0, y: -s.width })];
         const [left, right] = s.left ? [b, a] : [a, b];
-        const edge = bounds();
-        const rearEnd = s.left ? edge.right : edge.left;
-        const beside = at({ x: s.left ? rearEnd : rearEnd, y: 0 })[0] < size.width / 2 ? 26 : size.width - 14;
+        // On a narrow screen the width is told on the roomy side, where no handle is.
+        const onRight = size.width < 600 ? s.forward === s.left : s.left;
+        const beside = onRight ? size.width - 14 : 26;
         dimensions.replaceChildren(
-            dimension(left, right, [0, Math.max(below, 18)], `${s.length.toFixed(3)} m`),
+            dimension(left, right, [0, Math.max(below, Math.min(56, size.height - left[1] - 12))], `${s.length.toFixed(3)} m`),
             dimension([beside, at({ x: 0, y: -s.width })[1]], [beside, at({ x: 0, y: 0 })[1]], [0, 0], `${s.width.toFixed(3)} m`),
         );
         const slider = (element: SVGElement, p: Point, now: number, low: number, high: number, text: string) => {
@@ -303,6 +307,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
 
     /** The car itself, at a pose and with its front wheels turned. */
     const showCar = (pose: Pose, steer: number) => {
+        shown = { pose, steer };
         if (!scene || size.width === 0) return;
         const { car } = scene;
         place(body, car, pose);
@@ -374,7 +379,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         if (!drag) return;
         drag = null;
         root.classList.remove("dragging");
-        if (scene) handles.length(scene.length);
+        handles.released();
     };
     root.addEventListener("pointerup", release);
     root.addEventListener("pointercancel", release);
@@ -397,7 +402,9 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         const { width, height } = entry!.contentRect;
         size = { width, height };
         set(root, { viewBox: `0 0 ${round(width)} ${round(height)}` });
-        if (scene) handles.length(scene.length);
+        if (!scene) return;
+        render(scene);
+        if (shown) showCar(shown.pose, shown.steer);
     }).observe(root);
 
     return { render, showCar, busy: () => drag !== null };

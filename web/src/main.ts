@@ -90,6 +90,10 @@ function run(snug: Snug, module: WebAssembly.Module) {
         length: (value) => change({ ...inputs, length: within("length", value) }),
         width: (value) => change({ ...inputs, width: within("width", value) }),
         heading: (value) => change({ ...inputs, heading: value }),
+        released: () => {
+            if (inputs.strategy === "max-steer") soonRanges(askRanges);
+            refresh();
+        },
     });
     const player = createPlayer((pose, steer) => drawing.showCar(pose, steer));
     const moveSlot = (extraLength: number, extraWidth: number) =>
@@ -124,6 +128,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
             }
             const value = parseNumber(field, input.value);
             complain(field, typeof value === "string" ? value : "");
+            filled.set(field, typeof value === "number" ? value : fieldValue(inputs, field));
             if (typeof value === "number") change(withField(inputs, field, value));
         });
         input.addEventListener("blur", () => {
@@ -147,11 +152,13 @@ function run(snug: Snug, module: WebAssembly.Module) {
         setText(error, sentence);
         set(input, { "aria-invalid": sentence ? "true" : null });
     };
-    /** The value into its field, unless it is being typed. */
+    /** The value into its field, unless something is being typed there, or was and is still explained. */
+    const filled = new Map<NumberField, number | null>();
     const fill = (field: NumberField) => {
         const { input } = fields.get(field)!;
-        if (document.activeElement === input) return;
         const value = fieldValue(inputs, field);
+        if (document.activeElement === input || (input.getAttribute("aria-invalid") && filled.get(field) === value)) return;
+        filled.set(field, value);
         input.value = value === null ? "" : plain(value, field === "heading" ? 3 : 4);
         complain(field, "");
     };

@@ -193,8 +193,13 @@ test("bad numbers are explained next to their field, and the last good picture s
         assert.equal(await text(page, "count"), count, nonsense);
         assert.equal(await page.locator("#drawing .street").innerHTML(), street, nonsense);
     }
-    await type(page, "length", "5.5");
+    // The sentence stays when something else changes, and goes when the slot does.
+    await type(page, "width", "2.1");
+    assert.notEqual(await text(page, "length-error"), "");
+    await page.locator('[data-grip="rear"]').press("ArrowRight");
+    await settled(page);
     assert.equal(await text(page, "length-error"), "");
+    await type(page, "length", "5.5");
     // The smallest and the largest numbers the page takes.
     await page.locator("summary").click();
     for (const [field, values] of Object.entries({ length: ["0.5", "40"], width: ["0.3", "10"], "car-width": ["0.3", "6"], "car-front": ["0.3", "25"],
