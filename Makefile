@@ -93,7 +93,7 @@ format: setup
 	clang-format -i $(SOURCES)
 
 clean:
-	rm -rf build out
+	rm -rf build out web/dist
 
 setup:
 	@setup/install.sh

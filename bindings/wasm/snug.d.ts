@@ -1,6 +1,13 @@
 // The solver for JavaScript: types of snug.mjs. Lengths are metres, angles radians. Cars, slots and answers are the objects
 // of the command's JSON, key by key (docs/formats.md). Every question throws an Error whose message says what is wrong with
 // the input and what would be right; a question about valid input never throws.
+//
+//     import load from "./snug.mjs";
+//     const snug = await load();
+//     const answer = snug.entry("renault-zoe", { length: 4.5, width: 2.0 });
+//     console.log(answer.direction_changes, answer.entry_ranges, answer.maneuver?.moves);
+//
+// Questions answer before they return: ask long ones (fewest, leave) in a worker, which can be ended.
 
 /** A car of the catalogue by name, or its dimensions. */
 export type CarLike = string | (CarLengths & Steering);

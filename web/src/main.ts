@@ -46,20 +46,18 @@ const later = (milliseconds: number) => {
 function run(snug: Snug, module: WebAssembly.Module) {
     const catalogue = snug.cars();
     const questions = asker(module);
-    const link = fromLink(
-        location.hash.slice(1),
-        {
-            car: catalogue.find((car) => car.name === "renault-zoe")!,
-            length: 4.9,
-            width: 2.0,
-            side: "right",
-            clearance: 0,
-            enter: "backward",
-            strategy: "max-steer",
-            heading: null,
-        },
-        catalogue,
-    );
+    /** What a link leaves out. */
+    const usual: Inputs = {
+        car: catalogue.find((car) => car.name === "renault-zoe")!,
+        length: 4.9,
+        width: 2.0,
+        side: "right",
+        clearance: 0,
+        enter: "backward",
+        strategy: "max-steer",
+        heading: null,
+    };
+    const link = fromLink(location.hash.slice(1), usual, catalogue);
     let inputs = link.inputs;
     let entry: EntryAnswer | null = null;
     let fewest: FewestAnswer | null = null;
@@ -489,7 +487,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
     });
 
     window.addEventListener("hashchange", () => {
-        const read = fromLink(location.hash.slice(1), inputs, catalogue);
+        const read = fromLink(location.hash.slice(1), usual, catalogue);
         inputs = read.inputs;
         complaints = read.complaints;
         refresh();

@@ -126,6 +126,36 @@ test("the fewest over all maneuvers are proved in a worker, and abandoned when t
     await page.context().close();
 });
 
+test("the bounds are shown as they close, and the page stays alive meanwhile", async () => {
+    const page = await site.page({ path: "#car=renault-zoe&length=4.42&width=2&strategy=fewest" });
+    await page.waitForFunction(() => / – /.test(document.getElementById("count").textContent));
+    const [low, high] = (await text(page, "count")).split(" – ").map(Number);
+    assert.ok(low > 0 && low < high, `${low} to ${high}`);
+    await choose(page, "strategy", "max-steer");
+    assert.equal(await text(page, "count"), "∅"); // with full steering there is no way in
+    await page.context().close();
+});
+
+test("the maps say what the answer says, and their point is the slot", async () => {
+    const page = await site.page({ path: "#car=mid-size&length=5.4&width=2.2" });
+    await page.locator("#maps-title").scrollIntoViewIfNeeded();
+    await page.locator("#map-max-steer .point").scrollIntoViewIfNeeded();
+    await page.waitForSelector("#map-max-steer[data-done]");
+    const map = await page.locator("#map-max-steer canvas").boundingBox();
+    for (const [across, up] of [[0.83, 0.6], [0.6, 0.41], [0.35, 0.8]]) {
+        // The middle of a cell, as near as the screen allows.
+        await page.mouse.click(map.x + map.width * across, map.y + map.height * (1 - up));
+        await settled(page);
+        const { length, width } = await inputs(page);
+        assert.ok(Math.abs(length - 4.7 - across * 1.92) < 0.02 && Math.abs(width - 1.8 - up * 0.96) < 0.02, `${length} x ${width}`);
+        const cell = { length: 4.7 + ((Math.floor(((length - 4.7) / 1.92) * 48) + 0.5) / 48) * 1.92, width: 1.8 + ((Math.floor(((width - 1.8) / 0.96) * 32) + 0.5) / 32) * 0.96 };
+        const expected = await page.evaluate((slot) => window.snugPage.snug.entry("mid-size", slot).direction_changes, cell);
+        assert.match(await page.locator("#map-max-steer .point").getAttribute("aria-label"), new RegExp(`: ${expected} direction changes`));
+    }
+    await page.waitForSelector("#map-fewest[data-done]");
+    await page.context().close();
+});
+
 test("a link brings everything back", async () => {
     const page = await site.page();
     await page.selectOption("#car", "vw-transporter");
@@ -228,7 +258,7 @@ test("random inputs never freeze the page or break it", async () => {
         return slowest;
     });
     console.log(`# the slowest of 60 random slots was on the screen after ${slowest.toFixed(0)} ms`);
-    assert.ok(slowest < 5000);
+    assert.ok(slowest < 30_000);
     await page.context().close();
 });
 
