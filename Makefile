@@ -1,5 +1,5 @@
 # A thin front: every target sets itself up, then CMake's presets do the work.
-.PHONY: build demo test soak bench pictures docs format clean setup check-format check-tidy
+.PHONY: build demo test soak bench package pictures docs format clean setup check-format check-tidy
 .NOTPARALLEL:
 
 JOBS := $(shell nproc)
@@ -35,6 +35,12 @@ bench: setup
 	cmake --preset release
 	cmake --build --preset release --parallel $(JOBS) --target snug_bench
 	build/release/snug_bench
+
+# A .deb: library, headers, command, manual and completions. The manual is made last, by the command itself.
+package: setup
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS) --target snug_manual
+	cpack --config build/release/CPackConfig.cmake -B build/package
 
 # The pictures the README shows.
 pictures: setup
