@@ -1,5 +1,5 @@
 # A thin front: every target sets itself up, then CMake's presets do the work.
-.PHONY: build demo test soak bench package pictures docs format clean setup check-format check-tidy
+.PHONY: build demo test soak bench package peers pictures docs format clean setup check-format check-tidy
 .NOTPARALLEL:
 
 JOBS := $(shell nproc)
@@ -73,6 +73,15 @@ docs: build
 	doxygen docs/Doxyfile
 	PYTHONPATH=build/release/python /usr/bin/sphinx-build -W --keep-going -q -b html -d build/docs/doctrees docs build/docs/html
 	@echo "The documentation is build/docs/html/index.html"
+
+# snug beside OMPL: tests of its types for OMPL, an example, and planning to entry positions compared with planning to a
+# parked pose (up to 8 minutes).
+peers: setup
+	@setup/install.sh peer-packages.txt
+	cmake --preset peers
+	cmake --build --preset peers --parallel $(JOBS)
+	ctest --preset peers
+	build/peers/peers
 
 format: setup
 	clang-format -i $(SOURCES)
