@@ -1,5 +1,5 @@
 # A thin front: every target sets itself up, then CMake's presets do the work.
-.PHONY: build demo test soak bench package peers pictures docs format clean setup check-format check-tidy
+.PHONY: build python demo test soak bench package peers pictures docs format clean setup check-format check-tidy
 .NOTPARALLEL:
 
 JOBS := $(shell nproc)
@@ -41,6 +41,12 @@ package: setup
 	cmake --preset release
 	cmake --build --preset release --parallel $(JOBS) --target snug_manual
 	cpack --config build/release/CPackConfig.cmake -B build/package
+
+# The Python package as a wheel: pip install --no-index --no-deps build/python/*.whl
+python: setup
+	cmake --preset release
+	rm -rf build/python
+	/usr/bin/python3 -m pip --quiet wheel --no-index --no-deps --no-build-isolation -w build/python bindings/python
 
 # The pictures the README shows.
 pictures: setup

@@ -80,12 +80,14 @@ def _outline(text: str) -> Any:
     from matplotlib.path import Path
 
     codes, points = [], []
-    for piece in text.replace("Z", "Z 0 0").replace("M", "|M").replace("L", "|L").replace("C", "|C").replace("Z", "|Z").split("|"):
-        words = piece.split()
-        if words:
-            pairs = np.array(words[1:], float).reshape(-1, 2)
-            codes += [{"M": Path.MOVETO, "L": Path.LINETO, "C": Path.CURVE4, "Z": Path.CLOSEPOLY}[words[0]]] * len(pairs)
-            points += list(pairs)
+    kinds = {"M": Path.MOVETO, "L": Path.LINETO, "C": Path.CURVE4, "Z": Path.CLOSEPOLY}
+    for word in text.replace("Z", "Z 0 0").split():
+        if word in kinds:
+            kind = kinds[word]
+        else:
+            points.append(float(word))
+            codes.append(kind)
+    points, codes = np.reshape(points, (-1, 2)), codes[::2]
     return Path(points, codes)
 
 
@@ -197,7 +199,7 @@ def _paths(ax: Axes, view: _View, maneuver: _snug.Maneuver, zorder: float) -> No
         middle = len(at) // 2
         ax.annotate("", at[middle], at[middle - 1], zorder=zorder + 0.02,
                     arrowprops={"arrowstyle": "-|>,head_width=.22,head_length=.45", "linewidth": 0.9, "shrinkA": 0,
-                                "shrinkB": 0, "color": _INK if backward else _FORWARD,
+                                "shrinkB": 0, "edgecolor": _INK if backward else _FORWARD,
                                 "facecolor": _INK if backward else "white"})
 
 
@@ -224,7 +226,11 @@ def _enlarged(ax: Axes, view: _View, maneuver: _snug.Maneuver, y_max: float) -> 
     """The path once more, in the free road over the neighbour the car does not stand above."""
     x_min, x_max = ax.get_xlim()
     frames = view.frames(maneuver.car, np.array([tuple(move.start) for move in maneuver.moves]))
-    above = frames[frames[..., 1] > 0.0]
+    part = np.linspace(0.0, 1.0, 50)[:, None, None, None]
+    sides = frames + part * (np.roll(frames, 1, axis=1) - frames)
+    above = sides[sides[..., 1] > 0.0]
+    if not len(above):
+        return
     free_left, free_right = above[:, 0].min() - x_min, x_max - 0.16 * maneuver.car.length - above[:, 0].max()
     gap = 0.03 * maneuver.car.length
     free = max(free_left, free_right) - 2 * gap
@@ -285,12 +291,12 @@ def maneuver(maneuver: _snug.Maneuver, slot: _snug.Slot, ax: Axes | None = None,
     if len(moves) >= 4:
         _enlarged(ax, view, maneuver, ax.get_ylim()[1])
 
-    degrees = np.degrees(np.arctan2(np.sin(entry[2]), np.cos(entry[2])))
+    off_parallel = abs(np.degrees(slot.to_slot(moves[0].start).heading))
     along, across = np.array([np.cos(entry[2]), np.sin(entry[2])]), np.array([-np.sin(entry[2]), np.cos(entry[2])])
     side = -1.0 if np.cos(entry[2]) < 0.0 else 1.0
     beside = entry[:2] + along * (car.front - car.rear) / 2 + side * across * (car.width / 2 + 0.03 * car.length)
-    turn = degrees if side > 0 else degrees + 180.0
-    ax.text(*beside, f"entry position, heading {abs(degrees):.2f}°", rotation=turn, rotation_mode="anchor",
+    turn = np.degrees(entry[2]) + (0.0 if side > 0 else 180.0)
+    ax.text(*beside, f"entry position, heading {off_parallel:.2f}°", rotation=turn, rotation_mode="anchor",
             ha="center", va="bottom", color=_ENTRY_TEXT, weight="bold", fontsize=9, path_effects=_halo(), zorder=6)
     at = np.array(goal[:2]) + 0.82 * car.front * np.array([np.cos(goal[2]), np.sin(goal[2])])
     ax.text(*at, "goal", ha="center", va="center", color=_GOAL_TEXT, weight="bold", fontsize=9, path_effects=_halo(),
@@ -299,8 +305,12 @@ def maneuver(maneuver: _snug.Maneuver, slot: _snug.Slot, ax: Axes | None = None,
     ax.set_title(f"{name}: {_changes(maneuver.direction_changes)}, {maneuver.length:.3f} m driven", loc="left",
                  fontsize=11, weight="bold", color=_INK)
     if legend:
+        from matplotlib import patheffects
+
+        hollow = [patheffects.Stroke(linewidth=width, foreground=colour)
+                  for width, colour in ((2.6, _FORWARD), (1.0, "white"))]
         signs = [Line2D([], [], color=_INK, linewidth=2.0, label="driven backward"),
-                 Line2D([], [], color=_FORWARD, linewidth=2.0, label="driven forward"),
+                 Line2D([], [], color=_FORWARD, path_effects=hollow, label="driven forward"),
                  Line2D([], [], color=_INK, alpha=0.5, linewidth=0.6, label="frame at a direction change"),
                  Line2D([], [], marker="D", linestyle="", color=_CONTACT, markeredgecolor=_INK, markersize=4.5,
                         label="contact")]
