@@ -77,7 +77,7 @@ docs: build
 	@setup/install.sh docs-packages.txt
 	@mkdir -p build/docs/reference
 	doxygen docs/Doxyfile
-	PYTHONPATH=build/release/python /usr/bin/sphinx-build -W --keep-going -q -b html -d build/docs/doctrees docs build/docs/html
+	PYTHONPATH=build/release/bindings/python /usr/bin/sphinx-build -W --keep-going -q -b html -d build/docs/doctrees docs build/docs/html
 	@echo "The documentation is build/docs/html/index.html"
 
 # snug beside OMPL: tests of its types for OMPL, an example, and planning to entry positions compared with planning to a
