@@ -81,8 +81,8 @@ completions() {
                 "$("$snug" "$command" --help | grep -o -e '^  \(-.,\)\?--[a-z-]*' | sed 's/.*--/--/' | sort)"
         done
         while read -r words; do
-            same "$shell: $words" "$($shell ${words#*: } "" | sort)" \
-                "$("$snug" ${words#*: } '?' 2>&1 | sed 's/.*; write //; s/, \| or /\n/g' | sort)"
+            same "$shell: $words" "$($shell $words "" | sort)" \
+                "$("$snug" $words '?' 2>&1 | sed 's/.*; write //; s/, \| or /\n/g' | sort)"
         done <<END
             entry $question --side
             entry $question --enter
@@ -94,6 +94,7 @@ completions() {
             min-slot $question --format
             cars --format
 END
+        same "$shell: leave --format" "$($shell leave --format "" | xargs)" "text json"
         same "$shell: cars" "$($shell cars "" | grep zoe)" renault-zoe
         same "$shell: cars" "$($shell entry --car "" | grep zoe)" renault-zoe
         same "$shell: a number" "$($shell entry --length "")" ""
