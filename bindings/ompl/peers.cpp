@@ -25,19 +25,21 @@ struct Kind {
 };
 
 /// Cars of the paper and slots 0.1 to 0.4 m wider than they are, which the paper's strategy parks in with at least one
-/// direction change.
+/// direction change, from ranges of headings at least 1e-4 rad wide.
 std::vector<Try> random_slots(const Kind& kind, int count) {
     std::mt19937_64 bits(1);
     const auto between = [&](double low, double high) {
         return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
     };
     const std::vector<snug::Car> cars = snug::catalogue();
+    snug::EntryOptions wide_enough;
+    wide_enough.min_range = 1e-4;
     std::vector<Try> all;
     while (static_cast<int>(all.size()) < count) {
         const snug::Car& car = cars[static_cast<std::size_t>(between(0.0, static_cast<double>(cars.size())))];
         const double length = car.length() + between(kind.least, kind.most);
         const snug::Slot slot({.length = length, .width = car.width() + between(0.1, 0.4)});
-        snug::EntryAnswer answer = entry(car, slot);
+        snug::EntryAnswer answer = entry(car, slot, wide_enough);
         if (answer.parkable && *answer.direction_changes > 0) all.push_back({car, slot, std::move(answer)});
     }
     return all;
