@@ -7,10 +7,10 @@ _snug() {
         words="--help --version $("$snug" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z-]*\) .*/\1/p')"
     else
         while IFS= read -r line; do
-            [[ $line =~ $option ]]
+            [[ $line =~ $option ]] || continue
             words+=" ${BASH_REMATCH[1]##*,}"
             [[ ,${BASH_REMATCH[1]}, == *,"$before",* ]] && kind=${BASH_REMATCH[2]# }
-        done < <("$snug" "$command" --help 2>/dev/null | grep '^  -')
+        done <<<"$("$snug" "$command" --help 2>/dev/null | grep '^  -')"
         [[ $command == cars && $before != -* && $word != -* ]] && kind='NAME|FILE'
     fi
     case $command:$kind in
@@ -26,7 +26,7 @@ _snug() {
         *:) ;;
         *) words= ;;  # a file, or a number that nobody else can know
     esac
-    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
+    COMPREPLY=($(compgen -W "$words" -- "$word"))
     case $kind in
         *FILE) compopt -o default ;;
         DIR) compopt -o dirnames ;;
