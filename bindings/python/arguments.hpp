@@ -186,7 +186,8 @@ class Value : public py::class_<T> {
 public:
     using type = T;
     Value(py::module_& module, const char* name, const std::string& documentation)
-        : py::class_<T>(module, name, documentation.c_str()) {}
+        : py::class_<T>(module, name, documentation.c_str(), py::is_final(),
+                        py::metaclass(reinterpret_cast<PyObject*>(&PyType_Type))) {}
 
     template <class Get>
     Value& field(const char* name, Get get, const char* documentation) {
@@ -213,10 +214,13 @@ public:
             return py::bool_(values(self).equal(values(other)));
         });
         this->def("__hash__", [values](const py::object& self) { return py::hash(values(self)); });
+        this->def("__copy__", [](const py::object& self) { return self; });
+        this->def("__deepcopy__", [](const py::object& self, const py::dict&) { return self; });
         if (short_repr) return *this;
         this->def("__repr__", [fields](const py::object& self) {
             std::string text = py::str(py::type::of(self).attr("__name__"));
-            const char* separator = "(";
+            const char* separator = "";
+            text.append("(");
             for (const py::handle name : fields) {
                 text.append(separator).append(py::str(name)).append("=").append(py::repr(self.attr(name)));
                 separator = ", ";

@@ -79,7 +79,8 @@ class _View:
 def _outline(text: str) -> Any:
     from matplotlib.path import Path
 
-    codes, points = [], []
+    codes: list[Any] = []
+    points: list[float] = []
     kinds = {"M": Path.MOVETO, "L": Path.LINETO, "C": Path.CURVE4, "Z": Path.CLOSEPOLY}
     for word in text.replace("Z", "Z 0 0").split():
         if word in kinds:
@@ -87,8 +88,7 @@ def _outline(text: str) -> Any:
         else:
             points.append(float(word))
             codes.append(kind)
-    points, codes = np.reshape(points, (-1, 2)), codes[::2]
-    return Path(points, codes)
+    return Path(np.reshape(points, (-1, 2)), codes[::2])
 
 
 def _placed(path: Any, x: float, y: float, heading: float) -> Any:
@@ -259,8 +259,6 @@ def maneuver(maneuver: _snug.Maneuver, slot: _snug.Slot, ax: Axes | None = None,
     and what the car sweeps is shaded (`swept`); contacts are yellow, the paths of the rear axle centre are dark driven
     backward and open driven forward.
     """
-    from matplotlib.lines import Line2D
-
     _is(maneuver, _snug.Maneuver, "maneuver")
     view = _View(slot)
     car, moves = maneuver.car, maneuver.moves
@@ -306,6 +304,7 @@ def maneuver(maneuver: _snug.Maneuver, slot: _snug.Slot, ax: Axes | None = None,
                  fontsize=11, weight="bold", color=_INK)
     if legend:
         from matplotlib import patheffects
+        from matplotlib.lines import Line2D
 
         hollow = [patheffects.Stroke(linewidth=width, foreground=colour)
                   for width, colour in ((2.6, _FORWARD), (1.0, "white"))]
@@ -334,7 +333,8 @@ def entries(car: _snug.Car, slot: _snug.Slot, answer: _snug.EntryAnswer, ax: Axe
     starts, goals = [], []
     for r in answer.ranges:
         count = max(1, round(frames * (r.max - r.min) / total) if total > 0.0 else 1)
-        for heading in [(r.min + r.max) / 2] if count == 1 else np.linspace(r.min, r.max, count):
+        headings = np.linspace(r.min, r.max, count) if count > 1 else np.array([(r.min + r.max) / 2])
+        for heading in headings:
             run = _snug.max_steer(car, slot, heading, max_changes=r.direction_changes, clearance=clearance,
                                   enter=enter)  # type: ignore[arg-type]
             if run.outcome == "parked":
@@ -413,7 +413,8 @@ def min_slots(sizes: ArrayLike, max_changes: ArrayLike, slots: Any, ax: Axes | N
     """
     given, counts = np.atleast_1d(np.asarray(sizes, float)), np.atleast_1d(np.asarray(max_changes))
     rows = np.asarray(slots)
-    if rows.dtype.names is None or "length" not in rows.dtype.names:
+    fields = rows.dtype.names or ()
+    if "length" not in fields:
         raise TypeError("slots must be what min_lengths(), min_widths() or min_lengths_fewest() answered")
     if rows.shape not in (counts.shape + given.shape, given.shape, counts.shape, ()) or rows.size != counts.size * given.size:
         raise _snug.Error(f"slots has the shape {rows.shape}, but must have {counts.shape + given.shape}: that of "
@@ -421,7 +422,7 @@ def min_slots(sizes: ArrayLike, max_changes: ArrayLike, slots: Any, ax: Axes | N
     if given.ndim != 1 or counts.ndim != 1:
         raise _snug.Error("sizes and max_changes must each be a list of numbers")
     rows = rows.reshape(counts.size, given.size)
-    bounded = "length_lower" in rows.dtype.names
+    bounded = "length_lower" in fields
     lengths_given = not bounded and bool(np.all(np.isnan(rows["length"]) | (rows["length"] == given)))
     sought, other = ("width", "length") if lengths_given else ("length", "width")
     ax = _axes(ax, 7.0, 4.5)
