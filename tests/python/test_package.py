@@ -117,3 +117,9 @@ def test_examples_print_what_the_comment_at_their_end_says(example, tmp_path):
     out = run(sys.executable, example, cwd=tmp_path, env={**os.environ, "MPLBACKEND": "Agg"})
     shown = example.read_text().split("# Prints:\n")[1]
     assert out == "".join(line[2:] for line in shown.splitlines(keepends=True))
+
+
+@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))], ids=lambda path: path.name)
+def test_python_in_the_docs_runs(page, pyplot):
+    blocks = [block.split("\n```")[0] for block in page.read_text().split("```python\n")[1:]]
+    exec(compile("\n".join(blocks), page.name, "exec"), {})
