@@ -27,6 +27,14 @@ struct MinSlotFields {
     double width = none;
     double entry_heading = none;
 };
+struct WaypointFields {
+    double x = 0.0;
+    double y = 0.0;
+    double heading = 0.0;
+    std::int64_t direction = 0;
+    double curvature = 0.0;
+    double distance = 0.0;
+};
 struct FewestLengthFields {
     double length = none;
     double length_lower = none;
@@ -239,12 +247,30 @@ py::object min_lengths_of_all_maneuvers(const Arguments& given) {
     return shaped(all, joined(shape_of(counts), shape_of(widths)));
 }
 
+py::object waypoints_of(const Arguments& given) {
+    const auto maneuver = given.get<Maneuver>("maneuver");
+    const auto spacing = given.get<double>("spacing");
+    std::vector<WaypointFields> all;
+    for (const Waypoint& at : waypoints(maneuver, spacing))
+        all.push_back({at.pose.x, at.pose.y, at.pose.heading, static_cast<std::int64_t>(at.direction), at.curvature,
+                       at.distance});
+    return shaped(all, {static_cast<py::ssize_t>(all.size())});
+}
+
 }  // namespace
 
 void define_arrays(py::module_& module) {
     PYBIND11_NUMPY_DTYPE(EntryFields, direction_changes, entry_heading, heading_min, heading_max);
     PYBIND11_NUMPY_DTYPE(MinSlotFields, length, width, entry_heading);
     PYBIND11_NUMPY_DTYPE(FewestLengthFields, length, length_lower);
+    PYBIND11_NUMPY_DTYPE(WaypointFields, x, y, heading, direction, curvature, distance);
+
+    define(
+        module, "waypoints(maneuver, spacing)",
+        "A maneuver as the poses that path followers take, at most `spacing` [m] apart: a structured array with x, y,\n"
+        "heading, direction (1 forward, -1 backward), curvature [1/m], positive to the left, and distance driven [m].\n"
+        "Where the direction changes there are two with one pose: the first ends a stretch, the second begins one.",
+        waypoints_of);
 
     const std::string meaning =
         "Runs on all cores, or on so many `threads`. `progress` is told the part done (0 to 1); when it returns "

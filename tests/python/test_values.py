@@ -58,6 +58,14 @@ def test_poses_along_a_maneuver():
     assert tuple(end) == pytest.approx(tuple(MOVE.end), abs=1e-12)
 
 
+def test_waypoints_of_a_maneuver():
+    points = snug.waypoints(MANEUVER, 0.05)
+    assert (points["x"][0], points["y"][0], points["heading"][0]) == tuple(MANEUVER.entry)
+    assert abs(points["distance"][-1] - MANEUVER.length) < 1e-12
+    assert (points["direction"][1:] != points["direction"][:-1]).sum() == MANEUVER.direction_changes
+    assert abs(points["curvature"]).max() == pytest.approx(1 / CAR.turning_radius)
+
+
 def test_slot_frames_and_poses_as_tuples():
     slot = snug.Slot(4.5, 2.0, side="left", corner=(3, 1), heading=0.4)
     assert slot.corner == snug.Point(3, 1)
@@ -119,6 +127,7 @@ def test_baselines_and_first_contact():
     (lambda: snug.Maneuver(CAR, [1]), TypeError, "moves[0] must be a snug.Move"),
     (lambda: snug.Maneuver(CAR, 1), TypeError, "moves must be a sequence"),
     (lambda: MANEUVER.poses(0), snug.Error, "spacing"),
+    (lambda: snug.waypoints(MANEUVER, -1), snug.Error, "spacing"),
     (lambda: MANEUVER.poses("1"), TypeError, "spacing must be a number"),
     (lambda: snug.Contact("roof", "curb"), snug.Error, "part is 'roof'"),
     (lambda: snug.drive(CAR, (0, 0, 0), "forward", 0.1, -1), snug.Error, "distance"),

@@ -65,6 +65,7 @@ from ._snug import (
     steer_for_turning_radius as steer_for_turning_radius,
     stepping as stepping,
     swept as swept,
+    waypoints as waypoints,
 )
 
 __version__ = _snug.__version__
