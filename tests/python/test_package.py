@@ -8,6 +8,10 @@ import numpy as np
 import pytest
 import snug
 
+INSTALL = """\
+/usr/bin/python3 -m venv --system-site-packages venv
+venv/bin/python -m pip install --no-index --no-deps build/python/snug-*.whl
+"""
 ROOT = Path(__file__).resolve().parents[2]
 CAR = snug.find_car("renault-zoe")
 SLOT = snug.Slot(5.2, 2.0)
@@ -27,12 +31,11 @@ def test_types_are_those_of_the_module(tmp_path):
 
 
 def test_the_wheel_installs_without_network_and_runs(tmp_path):
-    run("/usr/bin/python3", "-m", "pip", "wheel", "--no-index", "--no-deps", "--no-build-isolation", "-w", tmp_path,
-        ROOT / "bindings/python")
-    (wheel,) = tmp_path.glob("snug-*.whl")
+    run("/usr/bin/python3", "-m", "pip", "wheel", "--no-index", "--no-deps", "--no-build-isolation", "-w",
+        tmp_path / "build/python", ROOT / "bindings/python")
+    (wheel,) = tmp_path.glob("build/python/snug-*.whl")
     assert snug.__version__ in wheel.name
-    run("/usr/bin/python3", "-m", "venv", "--system-site-packages", tmp_path / "venv")
-    run(tmp_path / "venv/bin/python", "-m", "pip", "install", "--no-index", "--no-deps", "--no-build-isolation", wheel)
+    run("sh", "-ec", INSTALL, cwd=tmp_path)
     clean = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
     out = run(tmp_path / "venv/bin/python", "-c", "import snug; print(snug.__file__); "
               "print(snug.entry(snug.find_car('renault-zoe'), snug.Slot(4.5, 2.0)).direction_changes)", env=clean, cwd=tmp_path)
