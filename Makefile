@@ -1,5 +1,5 @@
 # A thin front: every target sets itself up, then CMake's presets do the work.
-.PHONY: build demo test soak bench pictures docs web web-page web-test format clean setup check-format check-tidy
+.PHONY: build python demo test soak bench package peers pictures docs web web-page web-test format clean setup check-format check-tidy
 .NOTPARALLEL:
 
 JOBS := $(shell nproc)
@@ -37,6 +37,18 @@ bench: setup
 	cmake --build --preset release --parallel $(JOBS) --target snug_bench
 	build/release/snug_bench
 
+# A .deb: library, headers, command, manual and completions. The manual is made last, by the command itself.
+package: setup
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS) --target snug_manual
+	cpack --config build/release/CPackConfig.cmake -B build/package
+
+# The Python package as a wheel: pip install --no-index --no-deps build/python/*.whl
+python: setup
+	cmake --preset release
+	rm -rf build/python
+	/usr/bin/python3 -m pip --quiet wheel --no-index --no-deps --no-build-isolation -w build/python bindings/python
+
 # The pictures the README shows.
 pictures: setup
 	@setup/install.sh paper-packages.txt
@@ -68,7 +80,7 @@ docs: build
 	@setup/install.sh docs-packages.txt
 	@mkdir -p build/docs/reference
 	doxygen docs/Doxyfile
-	PYTHONPATH=build/release/python /usr/bin/sphinx-build -W --keep-going -q -b html -d build/docs/doctrees docs build/docs/html
+	PYTHONPATH=build/release/bindings/python /usr/bin/sphinx-build -W --keep-going -q -b html -d build/docs/doctrees docs build/docs/html
 	@echo "The documentation is build/docs/html/index.html"
 
 # The page, built and served on this machine until it is interrupted; vite prints the address.
@@ -88,6 +100,15 @@ web-test: web-page
 	cmake --preset release
 	cmake --build --preset release --parallel $(JOBS) --target snug_cli
 	cd web && npm test
+
+# snug beside OMPL: tests of its types for OMPL, an example, and planning to entry positions compared with planning to a
+# parked pose (up to 8 minutes).
+peers: setup
+	@setup/install.sh peer-packages.txt
+	cmake --preset peers
+	cmake --build --preset peers --parallel $(JOBS)
+	ctest --preset peers
+	build/peers/peers
 
 format: setup
 	clang-format -i $(SOURCES)

@@ -10,6 +10,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/waypoints.hpp"
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
@@ -109,9 +110,11 @@ Action fewest_action(const Options& options, const EntryQuestion& question) {
     const Format chosen = format(options);
     if (chosen == Format::csv)
         throw Error("--format: csv lists ranges of headings, but fewest has none; write text or json");
-    return [question, asked, chosen, picture = picture(options), path = output(options)] {
+    const std::optional<WaypointsFile> route = waypoints_file(options);
+    return [question, asked, chosen, route, picture = picture(options), path = output(options)] {
         const FewestAnswer answer = fewest(question.car, question.slot, asked);
         if (asked.progress) wipe_progress();
+        if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
         if (picture) {
             EntryAnswer as_entry;
             as_entry.parkable = answer.direction_changes.has_value();
@@ -150,6 +153,7 @@ Action parse_entry(const Arguments& arguments) {
     add_output(options);
     options.add("--draw", "FILE", "Draw a picture: FILE ends with .svg, .pdf or .png.");
     options.add("--view", "VIEW", "What to draw: maneuver (default), or entries: all\nentry positions.");
+    add_waypoints(options);
     add_threads(options);
     if (!options.read(arguments)) {
         return say(options.help());
@@ -159,11 +163,13 @@ Action parse_entry(const Arguments& arguments) {
     if (const std::string* name = options.typed("--strategy"); name != nullptr && *name == "fewest")
         return fewest_action(options, question);
     static_cast<void>(threads(options));  // one heading after the other is fast enough
-    return [question, picture = picture(options), format = format(options), path = output(options)] {
+    const std::optional<WaypointsFile> route = waypoints_file(options);
+    return [question, route, picture = picture(options), format = format(options), path = output(options)] {
         const EntryAnswer answer = entry(question.car, question.slot, question.options);
         if (question.options.progress) {
             wipe_progress();
         }
+        if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
         if (picture && !answer.cancelled) {
             write_file("--draw", picture->path, drawn(*picture, question, answer));
         }

@@ -8,6 +8,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/waypoints.hpp"
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
@@ -49,6 +50,7 @@ Action parse_leave(const Arguments& arguments) {
     add_fewest(options);
     add_output(options);
     options.add("--draw", "FILE", "Draw a picture: FILE ends with .svg, .pdf or .png.");
+    add_waypoints(options);
     if (!options.read(arguments)) return say(options.help());
     const Car the_car = car(options);
     EntryQuestion question = {the_car, slot(options, the_car), {}};
@@ -70,10 +72,12 @@ Action parse_leave(const Arguments& arguments) {
             throw Error("--draw: " + in_quotes(picture) + " has no known extension; end it with .svg, .pdf or .png");
         check_writable("--draw", picture);
     }
-    return [question, asked, gaps, chosen, picture, picture_as, path = output(options)] {
+    const std::optional<WaypointsFile> route = waypoints_file(options);
+    return [question, asked, gaps, chosen, picture, picture_as, route, path = output(options)] {
         const FewestAnswer answer =
             leave(question.car, question.slot, parked_pose(question.car, question.slot, gaps), asked);
         if (asked.progress) wipe_progress();
+        if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
         if (picture_as && answer.maneuver) {
             const PictureOptions drawn = {asked.enter, asked.clearance};
             write_file("--draw", picture, draw_maneuver(question.slot, *answer.maneuver, *picture_as, drawn));

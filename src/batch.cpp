@@ -93,14 +93,6 @@ namespace {
 
 using namespace detail;
 
-void check_headings(const std::vector<double>& headings) {
-    for (std::size_t i = 0; i < headings.size(); ++i) {
-        if (!(headings[i] >= 0.0 && headings[i] <= 1.5707963267948966)) {
-            check_between("entry heading [" + std::to_string(i) + "]", headings[i], 0.0, 1.5707963267948966, " rad");
-        }
-    }
-}
-
 std::vector<int> drive_all(const Car& car, const Slot& first, const std::vector<Slot>* slots,
                            const std::vector<double>& headings, const MaxSteerOptions& options) {
     FullSteering steering(entering_problem(car, first, options.enter, options.clearance));
@@ -121,9 +113,7 @@ std::vector<int> direction_changes(const Car& car, const Slot& slot, const std::
 std::vector<int> direction_changes(const Car& car, const std::vector<Slot>& slots, const std::vector<double>& headings,
                                    const MaxSteerOptions& options) {
     check(options);
-    if (slots.size() != headings.size())
-        throw Error("there are " + std::to_string(slots.size()) + " slots and " + std::to_string(headings.size()) +
-                    " headings, but there must be as many headings as slots");
+    check_as_many(slots.size(), headings.size());
     check_headings(headings);
     if (slots.empty()) return {};
     return drive_all(car, slots.front(), &slots, headings, options);

@@ -1,10 +1,12 @@
 // Is a value within its limits? If not, the sentence a person can act on.
 #pragma once
 
+#include <cstddef>
 #include <locale>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "snug/error.hpp"
 
@@ -30,6 +32,22 @@ inline void check_between(std::string_view what, double value, double low, doubl
     sentence.append(", but must lie between ").append(spelled(low));
     sentence.append(" and ").append(spelled(high)).append(unit);
     throw Error(sentence);
+}
+
+/// Throws Error unless every entry heading lies in [0, pi/2]; names the first that does not by its index.
+inline void check_headings(const std::vector<double>& headings) {
+    for (std::size_t i = 0; i < headings.size(); ++i) {
+        if (!(headings[i] >= 0.0 && headings[i] <= 1.5707963267948966)) {
+            check_between("entry heading [" + std::to_string(i) + "]", headings[i], 0.0, 1.5707963267948966, " rad");
+        }
+    }
+}
+
+/// Throws Error unless every slot has its heading.
+inline void check_as_many(std::size_t slots, std::size_t headings) {
+    if (slots != headings)
+        throw Error("there are " + std::to_string(slots) + " slots and " + std::to_string(headings) +
+                    " headings, but there must be as many headings as slots");
 }
 
 }  // namespace snug

@@ -35,11 +35,19 @@ bool nose_stays_in(const Maneuver& maneuver, const Slot& slot, double clearance)
     });
 }
 
-/// Whether there is any room to drive in: in a slot as long as the car nothing moves, in one as wide nothing turns.
+/// Whether there is any room to drive in. Parallel in a slot exactly as long as the car it cannot move, and in one exactly
+/// as wide it cannot turn (docs/fewest.md); only in a much wider one a car so long as the slot fits in tilted.
 bool has_room(const Car& car, double length, double width, double clearance) {
+    const double least_length = car.length() + 2.0 * clearance;
     const double least_width = car.width() + clearance;
-    return length > car.length() + 2.0 * clearance &&
-           (width > least_width || (width == least_width && !never_turns(car)));
+    if (length < least_length || width < least_width) return false;
+    if (!never_turns(car) || car.length() <= car.width()) return true;
+    if (width == least_width) return false;
+    if (length > least_length) return true;
+    const double tilt =
+        2.0 * std::atan((car.width() + 2.0 * clearance) / least_length);  // least at which it is so short
+    const double height = car.length() * std::sin(tilt) + car.width() * std::cos(tilt);
+    return width >= std::min(height, car.length()) + clearance;
 }
 
 LeavingQuestion entering_question(const Car& car, const Slot& slot, Enter enter, double clearance) {

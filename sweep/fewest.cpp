@@ -23,19 +23,22 @@ std::vector<FewestLengthRow> min_lengths_fewest(const Car& car, const std::vecto
     std::mutex telling;
     std::size_t finished = 0;
     std::atomic<bool> given_up = false;
+    const auto tell = [&](std::size_t more) {
+        const std::lock_guard lock(telling);
+        finished += more;
+        const double part = static_cast<double>(finished) / static_cast<double>(rows.size());
+        if (sweep.progress && !given_up && !sweep.progress(part)) given_up = true;
+        return !given_up;
+    };
     const auto answer_one = [&](std::size_t i) {
         FewestLengthOptions each = options;
-        each.progress = [&](double) { return !given_up; };
+        each.progress = [&](double) { return tell(0); };
         for (const std::size_t k : rising) {
             each.max_changes = max_changes[k];
             const FewestLength found = min_length_fewest(car, widths[i], each);
             rows[i * max_changes.size() + k] = {max_changes[k], widths[i], found};
             if (found.length) each.longest = std::min(each.longest, *found.length - car.length());
-            const std::lock_guard lock(telling);
-            ++finished;
-            const double part = static_cast<double>(finished) / static_cast<double>(rows.size());
-            if (sweep.progress && !given_up && !sweep.progress(part)) given_up = true;
-            if (given_up) return;
+            if (!tell(1)) return;
         }
     };
     tbb::task_arena arena(sweep.threads > 0 ? sweep.threads : tbb::task_arena::automatic);

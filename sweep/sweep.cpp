@@ -30,12 +30,14 @@ public:
     Progress(const std::function<bool(double)>& tell, std::size_t tasks, tbb::task_group_context& work)
         : tell_(tell), tasks_(tasks), work_(work) {}
 
-    void finished_one() {
+    /// False when there is no need to go on.
+    bool finished(std::size_t more) {
         const std::lock_guard lock(mutex_);
-        ++finished_;
-        if (!tell_ || cancelled_) return;
+        finished_ += more;
+        if (!tell_ || cancelled_) return !cancelled_;
         cancelled_ = !tell_(static_cast<double>(finished_) / static_cast<double>(tasks_));
         if (cancelled_) work_.cancel_group_execution();
+        return !cancelled_;
     }
     [[nodiscard]] bool cancelled() const { return cancelled_; }
 
@@ -50,8 +52,10 @@ private:
 
 using Slots = std::vector<std::optional<MinSlot>>;
 
-/// The smallest slots for rising counts at one width (or length), given those of a neighbour or none.
-using Answer = std::function<Slots(double given, const std::vector<int>& rising, const Slots& neighbours)>;
+/// The smallest slots for rising counts at one width (or length), given those of a neighbour or none; any, once the
+/// progress says not to go on.
+using Answer =
+    std::function<Slots(double given, const std::vector<int>& rising, const Slots& neighbours, Progress& progress)>;
 
 std::vector<MinSlotRow> sweep_over(const std::vector<double>& given, const std::vector<int>& max_changes,
                                    std::size_t per_task, const SweepOptions& sweep, const Answer& answer) {
@@ -69,12 +73,12 @@ std::vector<MinSlotRow> sweep_over(const std::vector<double>& given, const std::
         for (std::size_t i = task * per_task; i < std::min((task + 1) * per_task, columns.size()); ++i) {
             if (work.is_group_execution_cancelled()) return;
             const std::size_t column = columns[i];
-            slots = answer(given[column], rising, slots);
+            slots = answer(given[column], rising, slots, progress);
             for (std::size_t k = 0; k < max_changes.size(); ++k) {
                 const auto at = std::lower_bound(rising.begin(), rising.end(), max_changes[k]) - rising.begin();
                 rows[k * given.size() + column] = {max_changes[k], given[column], slots[static_cast<std::size_t>(at)]};
             }
-            progress.finished_one();
+            progress.finished(1);
         }
     };
     const std::size_t tasks = (given.size() + per_task - 1) / per_task;
@@ -89,15 +93,16 @@ std::vector<MinSlotRow> exactly(detail::Sought sought, const Car& car, const std
                                 const SweepOptions& sweep) {
     constexpr std::size_t neighbours_in_a_task = 4;
     return sweep_over(given, max_changes, neighbours_in_a_task, sweep,
-                      [&](double size, const std::vector<int>& rising, const Slots& neighbours) {
+                      [&](double size, const std::vector<int>& rising, const Slots& neighbours, Progress&) {
                           return detail::smallest_slots(car, sought, size, rising, options, neighbours);
                       });
 }
 
 /// Algorithm 1 in larger and larger slots, until the smallest count is enough.
 Slots slots_by_stepping(detail::Sought sought, const Car& car, double given, const std::vector<int>& rising,
-                        const Stepping& stepping, double step, const MinSlotOptions& options) {
+                        const Stepping& stepping, double step, const MinSlotOptions& options, Progress& progress) {
     EntryOptions question;
+    question.progress = [&](double) { return progress.finished(0); };
     question.min_range = options.min_range;
     question.clearance = options.clearance;
     question.enter = options.enter;
@@ -112,6 +117,7 @@ Slots slots_by_stepping(detail::Sought sought, const Car& car, double given, con
         const Slot slot({.length = length ? size : given, .width = length ? given : size});
         question.max_changes = rising[open - 1];
         const EntryAnswer found = entry(car, slot, question);
+        if (found.cancelled) break;
         if (!found.direction_changes) continue;
         const double heading = middle(*widest_range(found.ranges, *found.direction_changes));
         for (; open > 0 && *found.direction_changes <= rising[open - 1]; --open)
@@ -124,9 +130,10 @@ std::vector<MinSlotRow> by_stepping(detail::Sought sought, const Car& car, const
                                     const std::vector<int>& max_changes, const Stepping& stepping, double step,
                                     const MinSlotOptions& options, const SweepOptions& sweep) {
     check_between(sought == detail::Sought::length ? "length step" : "width step", step, 1e-6, 1e6, " m");
-    return sweep_over(given, max_changes, 1, sweep, [&](double size, const std::vector<int>& rising, const Slots&) {
-        return slots_by_stepping(sought, car, size, rising, stepping, step, options);
-    });
+    return sweep_over(given, max_changes, 1, sweep,
+                      [&](double size, const std::vector<int>& rising, const Slots&, Progress& progress) {
+                          return slots_by_stepping(sought, car, size, rising, stepping, step, options, progress);
+                      });
 }
 
 }  // namespace

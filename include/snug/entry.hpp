@@ -31,13 +31,13 @@ struct HeadingRange {
 
 struct EntryOptions {
     /// Empty: Problem 1, the fewest changes (at most 200). Set: Problem 2, every count up to it. 0 to 100000.
-    std::optional<int> max_changes;
+    std::optional<int> max_changes = {};
     double min_range = 0.0;         ///< leave out stretches of headings narrower than this [rad], 0 to pi/2
     double clearance = 0.0;         ///< grows the frame for contacts and for the entry position [m]
     Enter enter = Enter::backward;  ///< tail or nose first
     Strategy strategy = MaxSteer{};
     /// Told the part done (0 to 1) from time to time on long questions; returning false gives the question up.
-    std::function<bool(double)> progress;
+    std::function<bool(double)> progress = {};
 };
 
 struct EntryAnswer {

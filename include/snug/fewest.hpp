@@ -30,7 +30,7 @@ struct FewestOptions {
     double time_limit = std::numeric_limits<double>::infinity();  ///< ends with the bounds found so far [s]
     bool roomiest = true;  ///< look for the roomiest maneuver; otherwise any with that many changes will do
     /// Told from time to time; returning false ends with the bounds found so far.
-    std::function<bool(const FewestProgress&)> progress;
+    std::function<bool(const FewestProgress&)> progress = {};
 };
 
 struct FewestAnswer {
@@ -69,7 +69,7 @@ struct FewestLengthOptions {
     double precision = 1e-3;        ///< to which both lengths are found [m], as far as the resolution lets them
     double resolution = 0.0;        ///< spacing of the finest lattice [m]; 0: a two-thousandth of the car's length
     /// Told the part done (0 to 1) from time to time; returning false ends with what is known so far.
-    std::function<bool(double)> progress;
+    std::function<bool(double)> progress = {};
 };
 
 /// The shortest slot of the given width [m] in which the car can park with at most `max_changes` direction changes,

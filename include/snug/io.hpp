@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "snug/entry.hpp"
 #include "snug/fewest.hpp"
+#include "snug/waypoints.hpp"
 
 namespace snug {
 
@@ -35,6 +37,11 @@ Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, cons
 Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const FewestAnswer& answer);
 /// The answer of `snug leave --format json`.
 Json leave_as_json(const Car& car, const Slot& slot, const FewestAnswer& answer);
+
+/// `snug entry --waypoints FILE.json`: `schema` and `waypoints`, a list of objects.
+Json as_json(const std::vector<Waypoint>& waypoints);
+/// `snug entry --waypoints FILE.csv`: a row for each, all numbers, the direction 1 forward and -1 backward.
+std::string as_csv(const std::vector<Waypoint>& waypoints);
 
 /// "max-steer", "stepping", "reversed-trials", "parallel-trials"
 std::string_view to_string(const Strategy& strategy);

@@ -16,3 +16,4 @@
 #include "snug/stepping.hpp"
 #include "snug/trials.hpp"
 #include "snug/version.hpp"
+#include "snug/waypoints.hpp"

@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "snug/batch.hpp"
 #include "snug/car.hpp"
+#include "snug/entry.hpp"
 #include "snug/fewest.hpp"
 #include "snug/min_slot.hpp"
 #include "snug/stepping.hpp"
@@ -15,8 +17,25 @@ namespace snug {
 struct SweepOptions {
     int threads = 0;  ///< 0: all cores
     /// Told the part done (0 to 1) from time to time, never from two threads at once; returning false gives up.
-    std::function<bool(double)> progress;
+    std::function<bool(double)> progress = {};
 };
+
+/// What entry() answers for one of many slots, in short.
+struct EntryRow {
+    std::optional<int> direction_changes;  ///< the fewest; empty where the car cannot park
+    std::optional<HeadingRange> widest;    ///< the widest range with so many; trials have none
+};
+
+/// entry() for every slot. `options.progress` is not looked at. Empty when the progress callback gave up. Throws Error
+/// when an option is impossible.
+std::vector<EntryRow> entries(const Car& car, const std::vector<Slot>& slots, const EntryOptions& options = {},
+                              const SweepOptions& sweep = {});
+
+/// direction_changes() of batch.hpp on all cores. Empty when the progress callback gave up.
+std::vector<int> direction_changes(const Car& car, const Slot& slot, const std::vector<double>& headings,
+                                   const MaxSteerOptions& options, const SweepOptions& sweep);
+std::vector<int> direction_changes(const Car& car, const std::vector<Slot>& slots, const std::vector<double>& headings,
+                                   const MaxSteerOptions& options, const SweepOptions& sweep);
 
 /// One point of a minimum slot curve; `slot` is empty where nothing within the limits will do.
 struct MinSlotRow {

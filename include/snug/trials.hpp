@@ -27,7 +27,7 @@ struct ReversedTrials {
     /// Rear axle centre and heading in the world, the car inside the slot and within a quarter turn of parallel. Empty:
     /// the goal that the paper deduces, parallel with the left side on the entry side and the rear on the slot's rear
     /// side (entering forward: the front on its front side), off by the clearance if there is one.
-    std::optional<Pose> goal;
+    std::optional<Pose> goal = {};
     /// Where the first move out goes, had the car entered backward; the other way round when it enters forward.
     Direction first = Direction::forward;
 };
@@ -45,7 +45,7 @@ struct ReversedTrials {
 struct ParallelTrials {
     /// Rear axle centre and heading in the world, the car inside the slot and parallel to it; the last trial is
     /// followed by a straight move to it, whichever way that is. Empty: any parallel position with the frame inside.
-    std::optional<Pose> goal;
+    std::optional<Pose> goal = {};
 };
 
 /// The parking maneuver of several reversed trials; empty when the car does not get out of the slot within the allowed

@@ -99,6 +99,12 @@ TEST(Fewest, WhereNothingCanTurnOrMoveItIsProvedImpossible) {
     snug::FewestLengthOptions options;
     options.max_changes = 20;
     EXPECT_FALSE(min_length_fewest(car, car.width(), options).length);
+    // As long, but so wide that a long thin car stands in it tilted.
+    Case tilted;
+    tilted.car = {.width = 1.054, .front = 6.141, .rear = 0.463, .wheelbase = 5.752, .max_steer = 0.653};
+    tilted.slot.length = tilted.car_length();
+    tilted.slot.width = 4.947;
+    EXPECT_TRUE(answer_to(tilted, 200).direction_changes);
 }
 
 TEST(Fewest, ALongRearBacksOutOverTheRearNeighbour) {

@@ -2,7 +2,10 @@
 // sanitizer runs these tests.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -64,6 +67,64 @@ TEST(Sweep, GivesUpWhenTold) {
     SweepOptions sweep = on(4);
     sweep.progress = [](double) { return false; };
     EXPECT_TRUE(min_lengths(car, widths, counts, {}, sweep).empty());
+}
+
+TEST(Sweep, EntriesAreThoseOfOneSlotAtATime) {
+    std::vector<Slot> slots;
+    for (int i = 0; i < 60; ++i) slots.emplace_back(SlotDimensions{.length = 4.0 + 0.03 * i, .width = 1.7 + 0.01 * i});
+    const auto alone = entries(car, slots, {}, on(1));
+    const auto together = entries(car, slots, {}, on(4));
+    ASSERT_EQ(alone.size(), slots.size());
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const EntryAnswer one = entry(car, slots[i]);
+        EXPECT_EQ(alone[i].direction_changes, one.direction_changes);
+        EXPECT_EQ(together[i].direction_changes, one.direction_changes);
+        ASSERT_EQ(alone[i].widest.has_value(), one.parkable);
+        ASSERT_EQ(together[i].widest.has_value(), one.parkable);
+        if (!one.parkable) continue;
+        EXPECT_EQ(slots[i].to_slot(one.maneuver->entry()).heading,
+                  alone[i].widest->min + (alone[i].widest->max - alone[i].widest->min) / 2.0);
+        EXPECT_EQ(together[i].widest->min, alone[i].widest->min);
+        EXPECT_EQ(together[i].widest->max, alone[i].widest->max);
+    }
+    EXPECT_FALSE(alone.front().direction_changes);
+    EXPECT_TRUE(alone.back().direction_changes);
+}
+
+TEST(Sweep, CountsAreThoseOfTheBatch) {
+    const Slot slot({.length = 4.6, .width = 2.0});
+    std::vector<double> headings(9000);
+    for (std::size_t i = 0; i < headings.size(); ++i) headings[i] = 0.3 + 4e-5 * static_cast<double>(i);
+    const std::vector<Slot> slots(headings.size(), slot);
+    const auto counts_alone = direction_changes(car, slot, headings);
+    EXPECT_EQ(direction_changes(car, slot, headings, {}, on(4)), counts_alone);
+    EXPECT_EQ(direction_changes(car, slots, headings, {}, on(4)), counts_alone);
+    EXPECT_GT(*std::max_element(counts_alone.begin(), counts_alone.end()), 0);
+    headings[8000] = 2.0;
+    try {
+        static_cast<void>(direction_changes(car, slot, headings, {}, on(4)));
+        FAIL() << "a heading of 2 rad was taken";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("[8000]"), std::string::npos) << error.what();
+    }
+}
+
+TEST(Sweep, GivesUpInTheMiddleOfARow) {
+    const auto when_told = [](int calls) {
+        auto left = std::make_shared<int>(calls);
+        SweepOptions sweep = on(2);
+        sweep.progress = [left](double) { return --*left > 0; };
+        return sweep;
+    };
+    Stepping steps;
+    steps.step = 1e-5;  // minutes for a row
+    EXPECT_TRUE(min_lengths_by_stepping(car, {2.0}, {5}, steps, 1e-3, {}, when_told(3)).empty());
+    FewestLengthOptions fine;
+    fine.resolution = 2e-4;
+    EXPECT_TRUE(min_lengths_fewest(car, {1.8}, {40}, fine, when_told(3)).empty());
+    EntryOptions by_steps;
+    by_steps.strategy = steps;
+    EXPECT_TRUE(entries(car, {Slot({.length = 4.6, .width = 2.0})}, by_steps, when_told(3)).empty());
 }
 
 TEST(Core, AnswersAnyNumberOfThreadsAtOnce) {

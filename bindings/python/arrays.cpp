@@ -1,0 +1,339 @@
+// Many slots or headings at once, NumPy arrays in and out, on all cores.
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+#include "arguments.hpp"
+#include "check.hpp"
+#include "module.hpp"
+#include "progress.hpp"
+#include "widest_range.hpp"
+
+namespace snug::python {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+// Rows of the structured arrays.
+struct EntryFields {
+    std::int64_t direction_changes = -1;
+    double entry_heading = none;
+    double heading_min = none;
+    double heading_max = none;
+};
+struct MinSlotFields {
+    double length = none;
+    double width = none;
+    double entry_heading = none;
+};
+struct WaypointFields {
+    double x = 0.0;
+    double y = 0.0;
+    double heading = 0.0;
+    std::int64_t direction = 0;
+    double curvature = 0.0;
+    double distance = 0.0;
+};
+struct FewestLengthFields {
+    double length = none;
+    double length_lower = none;
+};
+
+using Shape = std::vector<py::ssize_t>;
+
+Shape shape_of(const py::array& array) { return {array.shape(), array.shape() + array.ndim()}; }
+
+Shape joined(Shape first, const Shape& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+template <class T>
+std::vector<T> values_of(const py::array_t<T, py::array::c_style | py::array::forcecast>& array) {
+    return {array.data(), array.data() + array.size()};
+}
+
+/// An array of that shape, or its one element.
+template <class T>
+py::object shaped(const std::vector<T>& values, const Shape& shape) {
+    py::array_t<T> array(shape);
+    std::copy(values.begin(), values.end(), array.mutable_data());
+    return shape.empty() ? py::object(array[py::tuple()]) : py::object(array);
+}
+
+/// "widths[3, 1]"
+std::string element(const std::string& name, const Shape& shape, std::size_t flat) {
+    std::string index;
+    for (std::size_t axis = shape.size(); axis-- > 0;) {
+        const auto size = static_cast<std::size_t>(shape[axis]);
+        index.insert(0, std::to_string(flat % size) + (index.empty() ? "" : ", "));
+        flat /= size;
+    }
+    return index.empty() ? name : name + "[" + index + "]";
+}
+
+/// Throws Error, naming the element, unless all of them lie within the limits.
+void check_all(const std::string& name, const Numbers& numbers, double low, double high, std::string_view unit) {
+    for (py::ssize_t i = 0; i < numbers.size(); ++i)
+        if (!(numbers.data()[i] >= low && numbers.data()[i] <= high))
+            check_between(element(name, shape_of(numbers), static_cast<std::size_t>(i)), numbers.data()[i], low, high,
+                          unit);
+}
+
+void check_sizes(const std::string& name, const Numbers& numbers) { check_all(name, numbers, 1e-6, 1e6, " m"); }
+
+void check_counts(const Counts& counts, int most) {
+    for (py::ssize_t i = 0; i < counts.size(); ++i)
+        check_between(element("max_changes", shape_of(counts), static_cast<std::size_t>(i)), counts.data()[i], 0, most,
+                      "");
+}
+
+std::string spelled_shape(const Numbers& array) { return std::string(py::str(array.attr("shape"))); }
+
+/// Arrays of one shape, as NumPy's broadcasting goes.
+std::vector<Numbers> broadcast(const std::vector<std::pair<std::string, Numbers>>& arrays) {
+    py::list given;
+    std::string shapes;
+    for (const auto& [name, array] : arrays) {
+        given.append(array);
+        shapes.append(shapes.empty() ? "" : ", ").append(name).append(" ").append(spelled_shape(array));
+    }
+    try {
+        const py::object together = py::module_::import("numpy").attr("broadcast_arrays")(*given);
+        std::vector<Numbers> result;
+        for (const py::handle one : together) result.emplace_back(py::reinterpret_borrow<py::object>(one));
+        return result;
+    } catch (const py::error_already_set& error) {
+        if (!error.matches(PyExc_ValueError)) throw;
+        throw Error("the shapes do not go together: " + shapes);
+    }
+}
+
+std::vector<Slot> slots_of(const Numbers& lengths, const Numbers& widths) {
+    std::vector<Slot> slots;
+    slots.reserve(static_cast<std::size_t>(lengths.size()));
+    for (py::ssize_t i = 0; i < lengths.size(); ++i)
+        slots.emplace_back(SlotDimensions{.length = lengths.data()[i], .width = widths.data()[i]});
+    return slots;
+}
+
+SweepOptions sweep_options(const Arguments& given) {
+    SweepOptions sweep;
+    given.read("threads", sweep.threads);
+    check_between("threads", sweep.threads, 0, 1024, "");
+    return sweep;
+}
+
+py::object entries(const Arguments& given) {
+    const auto car = given.get<Car>("car");
+    const auto lengths = given.get<Numbers>("lengths");
+    const auto widths = given.get<Numbers>("widths");
+    check_sizes("lengths", lengths);
+    check_sizes("widths", widths);
+    const auto sizes = broadcast({{"lengths", lengths}, {"widths", widths}});
+    EntryOptions options;
+    given.read("max_changes", options.max_changes);
+    given.read("min_range", options.min_range);
+    given.read("clearance", options.clearance);
+    given.read("enter", options.enter);
+    given.read("strategy", options.strategy);
+    SweepOptions sweep = sweep_options(given);
+    Progress progress(given.callback("progress"));
+    const std::vector<Slot> slots = slots_of(sizes[0], sizes[1]);
+    const auto rows = interruptible(progress, sweep, [&] { return snug::entries(car, slots, options, sweep); });
+    if (rows.size() < slots.size()) return py::none();
+    std::vector<EntryFields> all(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        all[i].direction_changes = rows[i].direction_changes.value_or(-1);
+        if (rows[i].widest) {
+            all[i].entry_heading = middle(*rows[i].widest);
+            all[i].heading_min = rows[i].widest->min;
+            all[i].heading_max = rows[i].widest->max;
+        }
+    }
+    return shaped(all, shape_of(sizes[0]));
+}
+
+/// `sizes` are the slots' lengths and widths; none for the one slot.
+py::object counts_from(const Arguments& given) {
+    const auto car = given.get<Car>("car");
+    auto headings = given.get<Numbers>("headings");
+    check_all("headings", headings, 0.0, 1.5707963267948966, " rad");
+    MaxSteerOptions options;
+    given.read("max_changes", options.max_changes);
+    given.read("clearance", options.clearance);
+    given.read("enter", options.enter);
+    SweepOptions sweep = sweep_options(given);
+    Progress progress(given.callback("progress"));
+    const auto slot = given.get<py::object>("slot");
+    std::vector<int> counts;
+    if (py::isinstance<Slot>(slot)) {
+        const auto one = slot.cast<Slot>();
+        const std::vector<double> all = values_of(headings);
+        counts = interruptible(progress, sweep, [&] { return direction_changes(car, one, all, options, sweep); });
+    } else {
+        if (!py::isinstance<py::tuple>(slot) || py::len(slot) != 2)
+            complain("slot", "a snug.Slot or a tuple of arrays (lengths, widths)", slot);
+        const Numbers lengths = as_numbers(py::tuple(slot)[0], "lengths");
+        const Numbers widths = as_numbers(py::tuple(slot)[1], "widths");
+        check_sizes("lengths", lengths);
+        check_sizes("widths", widths);
+        const auto together = broadcast({{"lengths", lengths}, {"widths", widths}, {"headings", headings}});
+        headings = together[2];
+        const std::vector<double> all = values_of(headings);
+        const std::vector<Slot> slots = slots_of(together[0], together[1]);
+        counts = interruptible(progress, sweep, [&] { return direction_changes(car, slots, all, options, sweep); });
+    }
+    if (counts.size() < static_cast<std::size_t>(headings.size())) return py::none();
+    return shaped(counts, shape_of(headings));
+}
+
+/// A row for every count and size: the shape is that of the counts followed by that of the sizes.
+template <class Sweep>
+py::object min_slots(const Arguments& given, const char* name, const Sweep& ask) {
+    const auto car = given.get<Car>("car");
+    const auto sizes = given.get<Numbers>(name);
+    const auto counts = given.get<Counts>("max_changes");
+    check_sizes(name, sizes);
+    check_counts(counts, 100000);
+    MinSlotOptions options;
+    given.read("min_range", options.min_range);
+    given.read("clearance", options.clearance);
+    given.read("enter", options.enter);
+    given.read("longest", options.longest);
+    given.read("widest", options.widest);
+    std::optional<Stepping> steps;
+    given.read("stepping", steps);
+    double step = 0.001;
+    given.read("step", step);
+    SweepOptions sweep = sweep_options(given);
+    Progress progress(given.callback("progress"));
+    const std::vector<double> all_sizes = values_of(sizes);
+    const std::vector<int> all_counts = values_of(counts);
+    const auto rows =
+        interruptible(progress, sweep, [&] { return ask(car, all_sizes, all_counts, steps, step, options, sweep); });
+    if (rows.size() < all_sizes.size() * all_counts.size()) return py::none();
+    std::vector<MinSlotFields> all(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].slot) all[i] = {rows[i].slot->length, rows[i].slot->width, rows[i].slot->entry_heading};
+    return shaped(all, joined(shape_of(counts), shape_of(sizes)));
+}
+
+py::object min_lengths_of_all_maneuvers(const Arguments& given) {
+    const auto car = given.get<Car>("car");
+    const auto widths = given.get<Numbers>("widths");
+    const auto counts = given.get<Counts>("max_changes");
+    check_sizes("widths", widths);
+    check_counts(counts, 1000);
+    FewestLengthOptions options;
+    given.read("clearance", options.clearance);
+    given.read("enter", options.enter);
+    given.read("longest", options.longest);
+    given.read("precision", options.precision);
+    given.read("resolution", options.resolution);
+    SweepOptions sweep = sweep_options(given);
+    Progress progress(given.callback("progress"));
+    const std::vector<double> all_widths = values_of(widths);
+    const std::vector<int> all_counts = values_of(counts);
+    const auto rows =
+        interruptible(progress, sweep, [&] { return min_lengths_fewest(car, all_widths, all_counts, options, sweep); });
+    if (rows.size() < all_widths.size() * all_counts.size()) return py::none();
+    std::vector<FewestLengthFields> all(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {  // there the widths are outside
+        const std::size_t at = i % all_counts.size() * all_widths.size() + i / all_counts.size();
+        all[at] = {rows[i].found.length.value_or(none), rows[i].found.length_lower};
+    }
+    return shaped(all, joined(shape_of(counts), shape_of(widths)));
+}
+
+py::object waypoints_of(const Arguments& given) {
+    const auto maneuver = given.get<Maneuver>("maneuver");
+    const auto spacing = given.get<double>("spacing");
+    std::vector<WaypointFields> all;
+    for (const Waypoint& at : waypoints(maneuver, spacing))
+        all.push_back({at.pose.x, at.pose.y, at.pose.heading, static_cast<std::int64_t>(at.direction), at.curvature,
+                       at.distance});
+    return shaped(all, {static_cast<py::ssize_t>(all.size())});
+}
+
+}  // namespace
+
+void define_arrays(py::module_& module) {
+    PYBIND11_NUMPY_DTYPE(EntryFields, direction_changes, entry_heading, heading_min, heading_max);
+    PYBIND11_NUMPY_DTYPE(MinSlotFields, length, width, entry_heading);
+    PYBIND11_NUMPY_DTYPE(FewestLengthFields, length, length_lower);
+    PYBIND11_NUMPY_DTYPE(WaypointFields, x, y, heading, direction, curvature, distance);
+
+    define(
+        module, "waypoints(maneuver, spacing)",
+        "A maneuver as the poses that path followers take, at most `spacing` [m] apart: a structured array with x, y,\n"
+        "heading, direction (1 forward, -1 backward), curvature [1/m], positive to the left, and distance driven [m].\n"
+        "Where the direction changes there are two with one pose: the first ends a stretch, the second begins one.",
+        waypoints_of);
+
+    const std::string meaning =
+        "Runs on all cores, or on so many `threads`. `progress` is told the part done (0 to 1); when it returns "
+        "False,\n"
+        "so does the question: None.";
+    define(module,
+           "entries(car, lengths, widths, *, max_changes=None, min_range=0.0, clearance=0.0, enter='backward', "
+           "strategy=None, threads=0, progress=None)",
+           "What entry() answers for many slots, `lengths` and `widths` broadcast: a structured array with\n"
+           "direction_changes (-1 where the car cannot park) and, of the widest range with so few, heading_min,\n"
+           "heading_max and their middle entry_heading [rad] (NaN where there is none).\n\n" +
+               meaning,
+           entries);
+    define(
+        module,
+        "direction_changes(car, slot, headings, *, max_changes=200, clearance=0.0, enter='backward', threads=0, "
+        "progress=None)",
+        "For each entry heading [rad] in [0, pi/2] the number of direction changes after which max_steer() parks, or\n"
+        "-1 where it does not. `slot` is a Slot, or a tuple of arrays (lengths, widths) that are broadcast with the\n"
+        "headings.\n\n" +
+            meaning,
+        counts_from);
+
+    const std::string options =
+        "min_range=0.0, clearance=0.0, enter='backward', longest=4.0, widest=4.0, stepping=None, step=0.001, "
+        "threads=0, "
+        "progress=None)";
+    const std::string rows =
+        "A structured array with length, width [m] and entry_heading [rad], NaN where nothing will do; its shape is "
+        "that\n"
+        "of `max_changes` followed by that of the sizes. With a Stepping it is the paper's own loop (section 3.3): "
+        "slots\n"
+        "larger and larger by `step` [m], Algorithm 1 in each, thousands of times slower.\n\n" +
+        meaning;
+    define(
+        module, "min_lengths(car, widths, max_changes, *, " + options,
+        "min_length() for every width and every maximum of direction changes.\n\n" + rows, [](const Arguments& given) {
+            return min_slots(given, "widths",
+                             [](const Car& car, const auto& sizes, const auto& counts, const auto& steps, double step,
+                                const MinSlotOptions& asked, const SweepOptions& sweep) {
+                                 return steps ? min_lengths_by_stepping(car, sizes, counts, *steps, step, asked, sweep)
+                                              : min_lengths(car, sizes, counts, asked, sweep);
+                             });
+        });
+    define(
+        module, "min_widths(car, lengths, max_changes, *, " + options,
+        "min_width() for every length and every maximum of direction changes.\n\n" + rows, [](const Arguments& given) {
+            return min_slots(given, "lengths",
+                             [](const Car& car, const auto& sizes, const auto& counts, const auto& steps, double step,
+                                const MinSlotOptions& asked, const SweepOptions& sweep) {
+                                 return steps ? min_widths_by_stepping(car, sizes, counts, *steps, step, asked, sweep)
+                                              : min_widths(car, sizes, counts, asked, sweep);
+                             });
+        });
+    define(
+        module,
+        "min_lengths_fewest(car, widths, max_changes, *, clearance=0.0, enter='backward', longest=4.0, "
+        "precision=0.001, resolution=0.0, threads=0, progress=None)",
+        "min_length_fewest() for every width and every maximum of direction changes: a structured array with length\n"
+        "(NaN where none is found) and length_lower [m]; its shape is that of `max_changes` followed by that of\n"
+        "`widths`.\n\n" +
+            meaning,
+        min_lengths_of_all_maneuvers);
+}
+
+}  // namespace snug::python

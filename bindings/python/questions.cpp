@@ -1,0 +1,442 @@
+// One question about one slot at a time.
+#include <pybind11/stl.h>
+
+#include "arguments.hpp"
+#include "module.hpp"
+#include "progress.hpp"
+
+namespace snug::python {
+
+namespace {
+
+MaxSteerOptions max_steer_options(const Arguments& given) {
+    MaxSteerOptions options;
+    given.read("max_changes", options.max_changes);
+    given.read("clearance", options.clearance);
+    given.read("enter", options.enter);
+    return options;
+}
+
+void define_strategies(py::module_& module) {
+    const Signature max_steer_signature("MaxSteer()");
+    Value<MaxSteer>(module, "MaxSteer", max_steer_signature.docstring("Full steering until contact, exactly."))
+        .constructor(max_steer_signature, [](const Arguments&) { return MaxSteer{}; })
+        .finish();
+
+    const Signature stepping_signature("Stepping(*, step=0.001, heading_step=0.0001, stop='contact')");
+    Value<Stepping>(module, "Stepping",
+                    stepping_signature.docstring(
+                        "Algorithm 1 of the paper as printed: Euler steps of equation 1, the reference.\n\n"
+                        "`step` is the path of one Euler step [m], 1e-7 to 1, and `heading_step` lies between\n"
+                        "neighbouring entry headings [rad], 1e-6 to pi/2. It looks whether the car is parked after\n"
+                        "every step (`stop` 'inside') or only when a move ends in contact ('contact', as printed)."))
+        .field(
+            "step", [](const Stepping& s) { return s.step; }, "Path of one Euler step [m]")
+        .field(
+            "heading_step", [](const Stepping& s) { return s.heading_step; }, "Between entry headings [rad]")
+        .field(
+            "stop", [](const Stepping& s) { return word(s.stop); }, "'contact' or 'inside'")
+        .constructor(stepping_signature,
+                     [](const Arguments& given) {
+                         Stepping made;
+                         given.read("step", made.step);
+                         given.read("heading_step", made.heading_step);
+                         given.read("stop", made.stop);
+                         return made;
+                     })
+        .finish();
+
+    const Signature reversed_signature("ReversedTrials(*, goal=None, first='forward')");
+    Value<ReversedTrials>(module, "ReversedTrials",
+                          reversed_signature.docstring(
+                              "Several reversed trials (Vorobieva et al. 2015): driven out of the slot from a goal,\n"
+                              "with full steering until contact, and then the same the other way round.\n\n"
+                              "`goal` is a Pose in the world, or None for the one the paper deduces; `first` is the\n"
+                              "direction of the first move out."))
+        .field(
+            "goal", [](const ReversedTrials& t) { return t.goal; }, "A Pose, or None for the deduced one.")
+        .field(
+            "first", [](const ReversedTrials& t) { return word(t.first); }, "Direction of the first move out.")
+        .constructor(reversed_signature,
+                     [](const Arguments& given) {
+                         ReversedTrials made;
+                         given.read("goal", made.goal);
+                         given.read("first", made.first);
+                         return made;
+                     })
+        .finish();
+
+    const Signature parallel_signature("ParallelTrials(*, goal=None)");
+    Value<ParallelTrials>(
+        module, "ParallelTrials",
+        parallel_signature.docstring(
+            "Several parallel trials (Vorobieva et al. 2015): parallel to the slot at every direction\n"
+            "change. `goal` is a Pose in the world, or None for any parallel one inside."))
+        .field(
+            "goal", [](const ParallelTrials& t) { return t.goal; }, "A Pose, or None for any parallel one inside.")
+        .constructor(parallel_signature,
+                     [](const Arguments& given) {
+                         ParallelTrials made;
+                         given.read("goal", made.goal);
+                         return made;
+                     })
+        .finish();
+}
+
+void define_baselines(py::module_& module) {
+    Value<MaxSteerRun>(module, "MaxSteerRun", "How a run of the strategy went.")
+        .field(
+            "outcome", [](const MaxSteerRun& r) { return word(r.outcome); },
+            "'parked'; 'no_entry': no possible entry position; 'stuck': in contact both ways; 'never_touches':\n"
+            "circles freely and never gets inside; 'too_many_changes'.")
+        .field(
+            "maneuver", [](const MaxSteerRun& r) { return r.maneuver; },
+            "The moves driven, however the run ended; none for 'no_entry'.")
+        .finish();
+    define(module, "max_steer(car, slot, heading, *, max_changes=200, clearance=0.0, enter='backward')",
+           "Drives the paper's strategy, full steering until contact, from the entry position with that heading.\n\n"
+           "`heading` [rad] in [0, pi/2] is measured from the parallel heading, positive with the nose (entering\n"
+           "'forward': the tail) away from the slot. Returns a MaxSteerRun.",
+           [](const Arguments& given) {
+               const auto car = given.get<Car>("car");
+               const auto slot = given.get<Slot>("slot");
+               const auto heading = given.get<double>("heading");
+               const MaxSteerOptions options = max_steer_options(given);
+               return released([&] { return max_steer(car, slot, heading, options); });
+           });
+    define(module, "stepping(car, slot, heading, steps=None, *, max_changes=200, clearance=0.0, enter='backward')",
+           "Algorithm 1 of the paper from one entry heading [rad]; `steps` is a Stepping, None the default one.\n"
+           "Returns a MaxSteerRun.",
+           [](const Arguments& given) {
+               const auto car = given.get<Car>("car");
+               const auto slot = given.get<Slot>("slot");
+               const auto heading = given.get<double>("heading");
+               std::optional<Stepping> steps;
+               given.read("steps", steps);
+               const MaxSteerOptions options = max_steer_options(given);
+               return released([&] { return stepping(car, slot, heading, steps.value_or(Stepping{}), options); });
+           });
+    define(module, "reversed_trials(car, slot, trials=None, *, max_changes=200, clearance=0.0, enter='backward')",
+           "The parking maneuver of several reversed trials; None when the car does not get out of the slot within\n"
+           "the allowed direction changes. `trials` is a ReversedTrials, None the default one.",
+           [](const Arguments& given) {
+               const auto car = given.get<Car>("car");
+               const auto slot = given.get<Slot>("slot");
+               std::optional<ReversedTrials> trials;
+               given.read("trials", trials);
+               const MaxSteerOptions options = max_steer_options(given);
+               return released([&] { return reversed_trials(car, slot, trials.value_or(ReversedTrials{}), options); });
+           });
+    define(module, "parallel_trials(car, slot, trials=None, *, max_changes=200, clearance=0.0, enter='backward')",
+           "The parking maneuver of several parallel trials; None when the car does not get to its goal within the\n"
+           "allowed direction changes. `trials` is a ParallelTrials, None the default one.",
+           [](const Arguments& given) {
+               const auto car = given.get<Car>("car");
+               const auto slot = given.get<Slot>("slot");
+               std::optional<ParallelTrials> trials;
+               given.read("trials", trials);
+               const MaxSteerOptions options = max_steer_options(given);
+               return released([&] { return parallel_trials(car, slot, trials.value_or(ParallelTrials{}), options); });
+           });
+
+    Value<ReversedTrialsByGoal>(module, "ReversedTrialsByGoal",
+                                "Direction changes of several reversed trials from two goals; None where the car does\n"
+                                "not get out.")
+        .field(
+            "deduced", [](const ReversedTrialsByGoal& r) { return r.deduced; }, "From the goal the paper deduces.")
+        .field(
+            "found", [](const ReversedTrialsByGoal& r) { return r.found; }, "From the goal of the best maneuver.")
+        .finish();
+    define(module, "reversed_trials_by_goal(car, slot, max_changes=200)",
+           "What the paper's choice of a goal costs in one slot (its section 4.1).", [](const Arguments& given) {
+               const auto car = given.get<Car>("car");
+               const auto slot = given.get<Slot>("slot");
+               int max_changes = 200;
+               given.read("max_changes", max_changes);
+               return released([&] { return reversed_trials_by_goal(car, slot, max_changes); });
+           });
+    define(module, "blackburn_extra_length(car, neighbour_width)",
+           "Length that a slot must have beyond the car's for the car to back into it in one go, after Blackburn's\n"
+           "formula of 2009, with the width of the car parked in front. [m]",
+           [](const Arguments& given) {
+               return blackburn_extra_length(given.get<Car>("car"), given.get<double>("neighbour_width"));
+           });
+}
+
+void define_entry(py::module_& module) {
+    Value<HeadingRange>(module, "HeadingRange",
+                        "A maximal range of entry headings that park with the same number of direction changes. Both\n"
+                        "ends belong to it.")
+        .field(
+            "min", [](const HeadingRange& r) { return r.min; }, "[rad]")
+        .field(
+            "max", [](const HeadingRange& r) { return r.max; }, "[rad]")
+        .field(
+            "direction_changes", [](const HeadingRange& r) { return r.direction_changes; },
+            "What every heading of the range needs.")
+        .field(
+            "subrange", [](const HeadingRange& r) { return r.subrange; },
+            "Ranges that touch share it: the paper's subranges.")
+        .finish();
+    Value<EntryAnswer>(module, "EntryAnswer", "What entry() found.")
+        .field(
+            "parkable", [](const EntryAnswer& a) { return a.parkable; }, "Whether the car parks.")
+        .field(
+            "cancelled", [](const EntryAnswer& a) { return a.cancelled; }, "The progress callback gave up: no answer.")
+        .field(
+            "direction_changes", [](const EntryAnswer& a) { return a.direction_changes; },
+            "The fewest; None when not parkable.")
+        .field(
+            "ranges", [](const EntryAnswer& a) { return py::tuple(py::cast(a.ranges)); },
+            "A tuple of HeadingRange in rising order.")
+        .field(
+            "maneuver", [](const EntryAnswer& a) { return a.maneuver; },
+            "Fewest changes, from the middle of the widest best range; None when not parkable.")
+        .finish();
+    define(
+        module,
+        "entry(car, slot, *, max_changes=None, min_range=0.0, clearance=0.0, enter='backward', strategy=None, "
+        "progress=None)",
+        "All entry headings in [0, pi/2] from which the car parks with the fewest direction changes (at most 200),\n"
+        "or with every count up to `max_changes`, as exact ranges, and one best maneuver. Returns an EntryAnswer.\n\n"
+        "`min_range` leaves out stretches of headings narrower than this [rad]; `clearance` grows the frame for\n"
+        "contacts and for the entry position [m]; `enter` is 'backward', tail first, or 'forward'; `strategy` is a\n"
+        "Stepping, ReversedTrials or ParallelTrials, None or MaxSteer for full steering until contact. `progress` is\n"
+        "told the part done (0 to 1) on long questions; returning False gives up.",
+        [](const Arguments& given) {
+            const auto car = given.get<Car>("car");
+            const auto slot = given.get<Slot>("slot");
+            EntryOptions options;
+            given.read("max_changes", options.max_changes);
+            given.read("min_range", options.min_range);
+            given.read("clearance", options.clearance);
+            given.read("enter", options.enter);
+            given.read("strategy", options.strategy);
+            Progress progress(given.callback("progress"));
+            options.progress = [&](double part) { return progress.tell(part); };
+            return interruptible(progress, [&] { return entry(car, slot, options); });
+        });
+
+    Value<Shortfall>(module, "Shortfall", "How much a slot lacks to hold the car at all. [m]")
+        .field(
+            "length", [](const Shortfall& s) { return s.length; }, "[m], 0 if nothing")
+        .field(
+            "width", [](const Shortfall& s) { return s.width; }, "[m], 0 if nothing")
+        .finish();
+    define(module, "shortfall(car, slot, clearance=0.0)",
+           "How much the slot lacks to hold the car at all, with the clearance it keeps from front, rear and curb.",
+           [](const Arguments& given) {
+               double clearance = 0.0;
+               given.read("clearance", clearance);
+               return shortfall(given.get<Car>("car"), given.get<Slot>("slot"), clearance);
+           });
+}
+
+void define_min_slot(py::module_& module) {
+    Value<MinSlot>(module, "MinSlot",
+                   "A slot that is just large enough, and an entry heading from which the car parks.")
+        .field(
+            "length", [](const MinSlot& s) { return s.length; }, "[m]")
+        .field(
+            "width", [](const MinSlot& s) { return s.width; }, "[m]")
+        .field(
+            "entry_heading", [](const MinSlot& s) { return s.entry_heading; }, "[rad]")
+        .finish();
+    const auto options_of = [](const Arguments& given) {
+        MinSlotOptions options;
+        given.read("max_changes", options.max_changes);
+        given.read("min_range", options.min_range);
+        given.read("clearance", options.clearance);
+        given.read("enter", options.enter);
+        given.read("longest", options.longest);
+        given.read("widest", options.widest);
+        return options;
+    };
+    const std::string parameters =
+        "*, max_changes=0, min_range=0.0, clearance=0.0, enter='backward', longest=4.0, widest=4.0)";
+    const std::string meaning = "`longest` and `widest` are how much more than the car's is looked at [m].";
+    define(module, "min_length(car, width, " + parameters,
+           "The shortest slot of the given width [m] in which the car parks with full steering and at most\n"
+           "`max_changes` direction changes, as a MinSlot; None when no length will do. " +
+               meaning,
+           [options_of](const Arguments& given) {
+               const auto car = given.get<Car>("car");
+               const auto width = given.get<double>("width");
+               const MinSlotOptions options = options_of(given);
+               return released([&] { return min_length(car, width, options); });
+           });
+    define(module, "min_width(car, length, " + parameters,
+           "The narrowest slot of the given length [m], likewise. " + meaning, [options_of](const Arguments& given) {
+               const auto car = given.get<Car>("car");
+               const auto length = given.get<double>("length");
+               const MinSlotOptions options = options_of(given);
+               return released([&] { return min_width(car, length, options); });
+           });
+}
+
+FewestOptions fewest_options(const Arguments& given) {
+    FewestOptions options;
+    given.read("max_changes", options.max_changes);
+    given.read("clearance", options.clearance);
+    given.read("enter", options.enter);
+    given.read("resolution", options.resolution);
+    std::optional<double> time_limit;
+    given.read("time_limit", time_limit);
+    if (time_limit) options.time_limit = *time_limit;
+    given.read("roomiest", options.roomiest);
+    return options;
+}
+
+void define_fewest(py::module_& module) {
+    Value<FewestProgress>(module, "FewestProgress", "How far a search has got.")
+        .field(
+            "lower_bound", [](const FewestProgress& p) { return p.lower_bound; }, "Proved so far.")
+        .field(
+            "direction_changes", [](const FewestProgress& p) { return p.direction_changes; },
+            "Demonstrated so far, or None.")
+        .field(
+            "spacing", [](const FewestProgress& p) { return p.spacing; },
+            "Of the finest lattice finished [m]; 0 if none is.")
+        .field(
+            "part", [](const FewestProgress& p) { return p.part; }, "Of the time limit gone, 0 to 1.")
+        .finish();
+    Value<FewestAnswer>(module, "FewestAnswer", "What fewest() or leave() found, and what is proved.")
+        .field(
+            "direction_changes", [](const FewestAnswer& a) { return a.direction_changes; },
+            "What `maneuver` needs; None when no maneuver was found.")
+        .field(
+            "lower_bound", [](const FewestAnswer& a) { return a.lower_bound; },
+            "No maneuver whatsoever has fewer; more than max_changes: the car cannot park with as many as are allowed.")
+        .field(
+            "proved", [](const FewestAnswer& a) { return a.proved; },
+            "The two meet, or the lower bound exceeds what is allowed.")
+        .field(
+            "maneuver", [](const FewestAnswer& a) { return a.maneuver; },
+            "Few arcs and straight lines; of all with that many changes the roomiest found.")
+        .field(
+            "spacing", [](const FewestAnswer& a) { return a.spacing; },
+            "Of the finest lattice that was needed [m]; 0 if none was.")
+        .finish();
+    const std::string parameters =
+        "*, max_changes=200, clearance=0.0, enter='backward', resolution=0.0, time_limit=None, roomiest=True, "
+        "progress=None)";
+    const std::string meaning =
+        "`resolution` is the spacing of the finest lattice [m], 0 a ten-thousandth of the car's length; `time_limit` "
+        "[s]\n"
+        "ends with the bounds found so far; `roomiest=False` takes any maneuver with that many changes. `progress` is\n"
+        "told a FewestProgress; returning False ends with the bounds found so far. Returns a FewestAnswer.";
+    define(
+        module, "fewest(car, slot, " + parameters,
+        "The smallest number of direction changes with which the car can enter the slot, whatever way it is steered\n"
+        "within its limit, with proof.\n\n" +
+            meaning,
+        [](const Arguments& given) {
+            const auto car = given.get<Car>("car");
+            const auto slot = given.get<Slot>("slot");
+            FewestOptions options = fewest_options(given);
+            Progress progress(given.callback("progress"));
+            options.progress = [&](const FewestProgress& state) { return progress.tell(state); };
+            return interruptible(progress, [&] { return fewest(car, slot, options); });
+        });
+    define(
+        module, "leave(car, slot, pose, " + parameters,
+        "The smallest number of direction changes with which a car parked at `pose` (world frame) can leave the slot,\n"
+        "with proof.\n\n" +
+            meaning,
+        [](const Arguments& given) {
+            const auto car = given.get<Car>("car");
+            const auto slot = given.get<Slot>("slot");
+            const auto pose = given.get<Pose>("pose");
+            FewestOptions options = fewest_options(given);
+            Progress progress(given.callback("progress"));
+            options.progress = [&](const FewestProgress& state) { return progress.tell(state); };
+            return interruptible(progress, [&] { return leave(car, slot, pose, options); });
+        });
+    define(
+        module, "parked_pose(car, slot, *, front=0.0, curb=0.0, heading=0.0)",
+        "Pose in the world of a parked car, by what is left around it: from its foremost point to the front\n"
+        "neighbour [m], from its lowest point to the curb [m], and its heading from parallel, positive with the nose\n"
+        "away from the curb [rad].",
+        [](const Arguments& given) {
+            ParkedGaps gaps;
+            given.read("front", gaps.front);
+            given.read("curb", gaps.curb);
+            given.read("heading", gaps.heading);
+            return parked_pose(given.get<Car>("car"), given.get<Slot>("slot"), gaps);
+        });
+
+    Value<FewestLength>(module, "FewestLength", "A slot that is long enough, as far as it is known.")
+        .field(
+            "length", [](const FewestLength& f) { return f.length; },
+            "The car parks in this [m]; None when not even the longest slot is found to do.")
+        .field(
+            "length_lower", [](const FewestLength& f) { return f.length_lower; }, "And in none shorter than this [m].")
+        .finish();
+    define(module,
+           "min_length_fewest(car, width, *, max_changes=0, clearance=0.0, enter='backward', longest=4.0, "
+           "precision=0.001, resolution=0.0, progress=None)",
+           "The shortest slot of the given width [m] in which the car can park with at most `max_changes` direction\n"
+           "changes, whatever way it is steered: between two lengths, both proved, as a FewestLength.\n\n"
+           "`precision` is what both lengths are found to [m], as far as the `resolution` of the lattice lets them "
+           "[m], 0\n"
+           "a two-thousandth of the car's length. `progress` is told the part done; returning False ends with what is\n"
+           "known so far.",
+           [](const Arguments& given) {
+               const auto car = given.get<Car>("car");
+               const auto width = given.get<double>("width");
+               FewestLengthOptions options;
+               given.read("max_changes", options.max_changes);
+               given.read("clearance", options.clearance);
+               given.read("enter", options.enter);
+               given.read("longest", options.longest);
+               given.read("precision", options.precision);
+               given.read("resolution", options.resolution);
+               Progress progress(given.callback("progress"));
+               options.progress = [&](double part) { return progress.tell(part); };
+               return interruptible(progress, [&] { return min_length_fewest(car, width, options); });
+           });
+}
+
+void define_contact(py::module_& module) {
+    Value<Stretch>(module, "Stretch", "A stretch of a move, as distances from its start. [m]")
+        .field(
+            "start", [](const Stretch& s) { return s.from; }, "[m] (C++: from, which Python keeps for itself)")
+        .field(
+            "end", [](const Stretch& s) { return s.to; }, "[m] (C++: to)")
+        .finish();
+    Value<FirstContact>(module, "FirstContact", "What happens on one move with constant steering.")
+        .field(
+            "distance", [](const FirstContact& f) { return f.distance; },
+            "Path of the rear axle centre until contact [m]; 0 when the car touches and would move in, infinity when\n"
+            "it never touches anything.")
+        .field(
+            "contact", [](const FirstContact& f) { return f.contact; }, "A Contact, or None.")
+        .field(
+            "inside", [](const FirstContact& f) { return f.inside; },
+            "The first Stretch of the move, up to the contact, over which the whole frame is inside the slot, or None.")
+        .finish();
+    define(
+        module, "first_contact(car, slot, pose, direction, steering_angle, *, clearance=0.0)",
+        "Where a car at `pose` (world frame) that drives 'backward' or 'forward' with `steering_angle` (positive to\n"
+        "the left, 0 straight) [rad] first touches the curb or a neighbour, in closed form. Returns a FirstContact.\n"
+        "`clearance` [m] grows the frame on every side for contacts, not for being inside.",
+        [](const Arguments& given) {
+            double clearance = 0.0;
+            given.read("clearance", clearance);
+            return first_contact(given.get<Car>("car"), given.get<Slot>("slot"), given.get<Pose>("pose"),
+                                 given.get<Direction>("direction"), given.get<double>("steering_angle"), clearance);
+        });
+}
+
+}  // namespace
+
+void define_questions(py::module_& module) {
+    define_strategies(module);
+    define_baselines(module);
+    define_entry(module);
+    define_min_slot(module);
+    define_fewest(module);
+    define_contact(module);
+}
+
+}  // namespace snug::python

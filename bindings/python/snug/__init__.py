@@ -1,0 +1,76 @@
+"""The exact solver for parallel parking.
+
+Given a car and a slot between two parked cars: from which positions can the car enter, with how few direction changes,
+along which maneuver, and how small may the slot be?
+
+    >>> import snug
+    >>> car = snug.find_car("renault-zoe")
+    >>> answer = snug.entry(car, snug.Slot(length=4.5, width=2.0))
+    >>> answer.direction_changes
+    18
+
+Lengths are metres, angles radians, poses the middle of the rear axle. Values are immutable. Arguments that cannot be
+raise `Error`, a `ValueError`, or `TypeError`, and name the argument. `snug.plot` draws with matplotlib.
+"""
+from . import _snug, plot as plot
+from ._snug import (
+    Box as Box,
+    Car as Car,
+    Contact as Contact,
+    EntryAnswer as EntryAnswer,
+    Error as Error,
+    FewestAnswer as FewestAnswer,
+    FewestLength as FewestLength,
+    FewestProgress as FewestProgress,
+    FirstContact as FirstContact,
+    HeadingRange as HeadingRange,
+    Maneuver as Maneuver,
+    MaxSteer as MaxSteer,
+    MaxSteerRun as MaxSteerRun,
+    MinSlot as MinSlot,
+    Move as Move,
+    ParallelTrials as ParallelTrials,
+    Point as Point,
+    Pose as Pose,
+    ReversedTrials as ReversedTrials,
+    ReversedTrialsByGoal as ReversedTrialsByGoal,
+    Shortfall as Shortfall,
+    Slot as Slot,
+    Stepping as Stepping,
+    Stretch as Stretch,
+    blackburn_extra_length as blackburn_extra_length,
+    cars as cars,
+    direction_changes as direction_changes,
+    drive as drive,
+    entries as entries,
+    entry as entry,
+    fewest as fewest,
+    find_car as find_car,
+    first_contact as first_contact,
+    frame as frame,
+    leave as leave,
+    max_steer as max_steer,
+    min_length as min_length,
+    min_length_fewest as min_length_fewest,
+    min_lengths as min_lengths,
+    min_lengths_fewest as min_lengths_fewest,
+    min_width as min_width,
+    min_widths as min_widths,
+    parallel_trials as parallel_trials,
+    parked_pose as parked_pose,
+    reversed_trials as reversed_trials,
+    reversed_trials_by_goal as reversed_trials_by_goal,
+    shortfall as shortfall,
+    steer_for_curb_to_curb as steer_for_curb_to_curb,
+    steer_for_turning_radius as steer_for_turning_radius,
+    stepping as stepping,
+    swept as swept,
+    waypoints as waypoints,
+)
+
+__version__ = _snug.__version__
+__all__ = ["plot", *(name for name in vars(_snug) if not name.startswith("_"))]
+
+for _name in __all__[1:]:
+    getattr(_snug, _name).__module__ = "snug"  # where people find it
+del _name

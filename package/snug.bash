@@ -1,0 +1,35 @@
+# Completes snug's arguments in bash. Commands, options and cars are those the command itself lists.
+_snug() {
+    local snug=${COMP_WORDS[0]} command=${COMP_WORDS[1]} before=${COMP_WORDS[COMP_CWORD - 1]} word=${COMP_WORDS[COMP_CWORD]}
+    local option='^  ([^ ]+)( [^ ]+)?  ' line words= kind=  # a line of help: "  -o,--output FILE   what it is"
+
+    if ((COMP_CWORD == 1)); then
+        words="--help --version $("$snug" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z-]*\) .*/\1/p')"
+    else
+        while IFS= read -r line; do
+            [[ $line =~ $option ]] || continue
+            words+=" ${BASH_REMATCH[1]##*,}"
+            [[ ,${BASH_REMATCH[1]}, == *,"$before",* ]] && kind=${BASH_REMATCH[2]# }
+        done <<<"$("$snug" "$command" --help 2>/dev/null | grep '^  -')"
+        [[ $command == cars && $before != -* && $word != -* ]] && kind='NAME|FILE'
+    fi
+    case $command:$kind in
+        *:SIDE) words='right left' ;;
+        *:HOW) words='backward forward' ;;
+        *:WHEN) words='contact inside' ;;
+        *:VIEW) words='maneuver entries' ;;
+        leave:FORMAT) words='text json' ;;
+        *:FORMAT) words='text json csv' ;;
+        min-slot:NAME) words='max-steer fewest stepping' ;;
+        *:NAME) words='max-steer fewest stepping reversed-trials parallel-trials' ;;
+        *:NAME\|FILE) words=$("$snug" cars --format csv | sed '1d;s/,.*//') ;;
+        *:) ;;
+        *) words= ;;  # a file, or a number that nobody else can know
+    esac
+    COMPREPLY=($(compgen -W "$words" -- "$word"))
+    case $kind in
+        *FILE) compopt -o default ;;
+        DIR) compopt -o dirnames ;;
+    esac 2>/dev/null
+}
+complete -F _snug snug

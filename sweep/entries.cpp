@@ -1,0 +1,105 @@
+// Entry positions for many slots, and direction changes for many headings, a few of them at a time on each core.
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+
+#include "check.hpp"
+#include "snug/sweep.hpp"
+#include "widest_range.hpp"
+
+namespace snug {
+
+namespace {
+
+/// Calls `answer_some(first, last, go_on)` for all of them in pieces; false when the asker gave up. `go_on` asks him.
+template <class AnswerSome>
+bool in_pieces(std::size_t all, std::size_t piece, const SweepOptions& sweep, const AnswerSome& answer_some) {
+    std::mutex telling;
+    std::size_t finished = 0;
+    std::atomic<bool> given_up = false;
+    const auto tell = [&](std::size_t more) {
+        const std::lock_guard lock(telling);
+        finished += more;
+        const double part = static_cast<double>(finished) / static_cast<double>(all);
+        if (sweep.progress && !given_up && !sweep.progress(part)) given_up = true;
+        return !given_up;
+    };
+    tbb::task_arena arena(sweep.threads > 0 ? sweep.threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, all, piece),
+            [&](const tbb::blocked_range<std::size_t>& range) {
+                if (given_up) return;
+                answer_some(range.begin(), range.end(), [&] { return tell(0); });
+                tell(range.size());
+            },
+            tbb::simple_partitioner{});
+    });
+    return !given_up;
+}
+
+std::vector<int> changes_in_pieces(std::size_t all, const MaxSteerOptions& options, const SweepOptions& sweep,
+                                   const std::function<std::vector<int>(std::size_t, std::size_t)>& answer) {
+    constexpr double moves_in_a_piece = 1e6;  // 40 ms at most
+    const auto piece =
+        static_cast<std::size_t>(std::clamp(moves_in_a_piece / (options.max_changes + 1.0), 64.0, 4096.0));
+    std::vector<int> changes(all);
+    const bool finished = in_pieces(all, piece, sweep, [&](std::size_t first, std::size_t last, const auto&) {
+        const std::vector<int> some = answer(first, last);
+        std::copy(some.begin(), some.end(), changes.begin() + static_cast<std::ptrdiff_t>(first));
+    });
+    if (!finished) changes.clear();
+    return changes;
+}
+
+template <class T>
+std::vector<T> slice(const std::vector<T>& all, std::size_t first, std::size_t last) {
+    return {all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last)};
+}
+
+}  // namespace
+
+std::vector<EntryRow> entries(const Car& car, const std::vector<Slot>& slots, const EntryOptions& options,
+                              const SweepOptions& sweep) {
+    std::vector<EntryRow> rows(slots.size());
+    const bool finished =
+        in_pieces(slots.size(), 8, sweep, [&](std::size_t first, std::size_t last, const auto& go_on) {
+            EntryOptions each = options;
+            each.progress = [&](double) { return go_on(); };
+            for (std::size_t i = first; i < last; ++i) {
+                const EntryAnswer answer = entry(car, slots[i], each);
+                if (answer.cancelled) return;
+                if (!answer.direction_changes) continue;
+                rows[i].direction_changes = answer.direction_changes;
+                if (const HeadingRange* widest = widest_range(answer.ranges, *answer.direction_changes))
+                    rows[i].widest = *widest;
+            }
+        });
+    if (!finished) rows.clear();
+    return rows;
+}
+
+std::vector<int> direction_changes(const Car& car, const Slot& slot, const std::vector<double>& headings,
+                                   const MaxSteerOptions& options, const SweepOptions& sweep) {
+    check_headings(headings);
+    return changes_in_pieces(headings.size(), options, sweep, [&](std::size_t first, std::size_t last) {
+        return direction_changes(car, slot, slice(headings, first, last), options);
+    });
+}
+
+std::vector<int> direction_changes(const Car& car, const std::vector<Slot>& slots, const std::vector<double>& headings,
+                                   const MaxSteerOptions& options, const SweepOptions& sweep) {
+    check_as_many(slots.size(), headings.size());
+    check_headings(headings);
+    return changes_in_pieces(headings.size(), options, sweep, [&](std::size_t first, std::size_t last) {
+        return direction_changes(car, slice(slots, first, last), slice(headings, first, last), options);
+    });
+}
+
+}  // namespace snug

@@ -1,0 +1,64 @@
+// --waypoints writes what path followers read, or says why not before anything is written.
+#include <nlohmann/json.hpp>
+
+#include "process.hpp"
+
+namespace snug::test {
+namespace {
+
+const std::string zoe = "entry --car renault-zoe --length 5 --width 2 ";
+const std::string out = "leave --car renault-zoe --length 5 --width 2 --gap-front 0.3 --gap-curb 0.1 ";
+
+std::size_t rows(const std::string& csv) {
+    return static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')) - 1;
+}
+
+TEST(Waypoints, AreWrittenBesideTheAnswer) {
+    const Folder folder;
+    for (const std::string& question : {zoe, zoe + "--strategy fewest ", out}) {
+        const std::string csv = folder.file("w.csv");
+        const std::string json = folder.file("w.JSON");
+        const Result result = run(question + "--format json --waypoints " + csv);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(run(question + "--format json --waypoints " + json + " --spacing 0.05").out, result.out);
+        const auto answer = nlohmann::json::parse(result.out);
+        const auto all = nlohmann::json::parse(contents(json))["waypoints"];
+        EXPECT_EQ(rows(contents(csv)), all.size()) << "the usual spacing is 0.05 m";
+        for (const char* key : {"x", "y", "heading"}) {
+            EXPECT_EQ(all.front()[key], answer["maneuver"]["entry"][key]);
+            EXPECT_EQ(all.back()[key], answer["maneuver"]["goal"][key]);
+        }
+        EXPECT_NEAR(all.back()["distance"].get<double>(), answer["maneuver"]["length"].get<double>(), 1e-12);
+        run(question + "--waypoints " + csv + " --spacing 0.01");
+        EXPECT_GT(rows(contents(csv)), 3 * all.size());
+    }
+    EXPECT_EQ(folder.files(), 2U);
+}
+
+TEST(Waypoints, OfACarThatCannotParkAreNone) {
+    const Folder folder;
+    const std::string file = folder.with("w.csv", "those of yesterday");
+    EXPECT_EQ(run("entry --car renault-zoe --length 4.1 --width 2 --waypoints " + file).exit_code, 1);
+    EXPECT_EQ(contents(file), "x,y,heading,direction,curvature,distance\n");
+}
+
+TEST(Waypoints, ThatCannotBeWrittenAreRefused) {
+    const Folder folder;
+    for (const std::string& question : {zoe, out}) {
+        const auto refused = [&](const std::string& options, const std::vector<std::string>& named) {
+            expect_refusal(run(question + options), named);
+        };
+        refused("--spacing 0.1", {"--spacing", "--waypoints"});
+        refused("--waypoints " + folder.file("w.txt"), {"--waypoints", "w.txt", ".csv or .json"});
+        refused("--waypoints " + folder.file("none/w.csv"), {"--waypoints", "none/w.csv"});
+        refused("--waypoints .csv", {"--waypoints", ".csv or .json"});
+        refused("--waypoints w.json -o w.json", {"--waypoints", "--output", "same file"});
+        const std::string there = "--waypoints " + folder.file("w.csv") + " --spacing ";
+        for (const char* bad : {"0", "-1", "nan", "inf", "1e-12", "5cm", "1e7"}) refused(there + bad, {"--spacing"});
+        refused(there + "1e-8", {"--spacing", "more than 1000000", "take a larger spacing"});
+    }
+    EXPECT_EQ(folder.files(), 0U);
+}
+
+}  // namespace
+}  // namespace snug::test

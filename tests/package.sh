@@ -1,0 +1,121 @@
+#!/bin/bash
+# Does what is installed work for others? package.sh CHECK SOURCE BUILD; the check "install" comes first.
+set -euo pipefail
+check=$1 source=$2 build=$3
+installed=$build/installed
+snug=$installed/bin/snug
+answer="$("$build/snug" --version | cut -d' ' -f2): 18 direction changes, 18 in vectors"
+
+fail() {
+    echo "$*" >&2
+    exit 1
+}
+same() { # WHAT SHOWN WANTED
+    [[ $2 == "$3" ]] && return
+    echo "$3" >"$build/wanted"
+    echo "$2" | diff - "$build/wanted" || fail "$1: < is there and > is wanted"
+}
+
+install() {
+    rm -rf "$installed"
+    cmake --install "$build" --prefix "$installed" >/dev/null
+    ! grep -rlI --exclude-dir=include -e "$source" -e "$build" "$installed" || fail "names a folder of the build"
+}
+
+with_cmake() {
+    rm -rf "$build/consumer"
+    cmake -S "$source/tests/consumer" -B "$build/consumer" -DCMAKE_PREFIX_PATH="$installed" >/dev/null
+    cmake --build "$build/consumer"
+    same "core" "$("$build/consumer/core")" "$answer"
+    "$build/consumer/layers"
+    for wrong in "1.0" "0.1 COMPONENTS atlas"; do
+        mkdir -p "$build/consumer/wrong"
+        printf '%s\n' "cmake_minimum_required(VERSION 3.25)" "project(wrong LANGUAGES CXX)" \
+            "find_package(snug $wrong REQUIRED)" >"$build/consumer/wrong/CMakeLists.txt"
+        ! cmake -S "$build/consumer/wrong" -B "$build/consumer/wrong" -DCMAKE_PREFIX_PATH="$installed" &>/dev/null ||
+            fail "finds snug $wrong"
+    done
+}
+
+with_pkg_config() {
+    export PKG_CONFIG_PATH=$installed/lib/pkgconfig
+    cd "$build"
+    c++ -std=c++20 "$source/tests/consumer/core.cpp" $(pkg-config --cflags --libs snug) -o consumer_core
+    same "core" "$(./consumer_core)" "$answer"
+    c++ -std=c++20 "$source/tests/consumer/layers.cpp" \
+        $(pkg-config --cflags --libs snug-io snug-sweep snug-draw) -o consumer_layers
+    ./consumer_layers
+    same "version" "$(pkg-config --modversion snug)" "$("$snug" --version | cut -d' ' -f2)"
+}
+
+commands() { "$snug" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z-]*\) .*/\1/p'; }
+
+# The page says all that the command says of itself, and troff has nothing to say about it.
+manual() {
+    local page=$installed/share/man/man1/snug.1
+    same "troff" "$(groff -man -Tutf8 -ww "$page" 2>&1 >/dev/null)" ""
+    words() { tr -s ' \n' '\n\n' | sed '/^Usage:$/d'; }
+    same "words" "$(sed '/^\.TH/d; /^\.SH \(NAME\|SYNOPSIS\|SNUG\)/d; s/^\.[A-Za-z]*//; s/\\-/-/g
+                         s/\\&//; s/\\e/\\/g; s/^ *COMMANDS$/Commands/; s/snug - an/snug: an/' "$page" | words)" \
+        "$( ("$snug" --help; for command in $(commands); do "$snug" "$command" --help; done) |
+            sed 's/^\([A-Z][A-Za-z ]*\):$/\1/' | words)"
+}
+
+# What the shells offer after some words, one a line.
+in_bash() {
+    bash -c 'source "$1"; shift; COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)); _snug; printf "%s\n" "${COMPREPLY[@]}"' \
+        bash "$installed/share/bash-completion/completions/snug" "$snug" "$@"
+}
+in_zsh() {
+    zsh -f -c '_describe() { print -rl -- ${${(P)2}%%:*} }; compadd() { print -rl -- "$@" }; _files() { }; _message() { }
+        complete() { source "$file" }
+        file=$1; shift; words=("$@"); CURRENT=$#; complete' \
+        zsh "$installed/share/zsh/site-functions/_snug" "$snug" "$@"
+}
+
+# Where a word is one of a few, the command lists them when it is given another: "...; write right or left".
+completions() {
+    local question="--car mid-size --length 5.1 --width 2.2"
+    for shell in in_bash in_zsh; do
+        same "$shell: commands" "$($shell "" | sort)" "$( (commands; echo --help; echo --version) | sort)"
+        for command in $(commands); do
+            same "$shell: options of $command" "$($shell "$command" -- | sort)" \
+                "$("$snug" "$command" --help | grep -o -e '^  \(-.,\)\?--[a-z-]*' | sed 's/.*--/--/' | sort)"
+        done
+        while read -r words; do
+            same "$shell: $words" "$($shell $words "" | sort)" \
+                "$("$snug" $words '?' 2>&1 | sed 's/.*; write //; s/, \| or /\n/g' | sort)"
+        done <<END
+            entry $question --side
+            entry $question --enter
+            entry $question --strategy
+            entry $question --strategy stepping --stop
+            entry $question --draw x.svg --view
+            entry $question --format
+            min-slot $question --strategy
+            min-slot $question --format
+            cars --format
+END
+        same "$shell: leave --format" "$($shell leave --format "" | xargs)" "text json"
+        same "$shell: cars" "$($shell cars "" | grep zoe)" renault-zoe
+        same "$shell: cars" "$($shell entry --car "" | grep zoe)" renault-zoe
+        same "$shell: a number" "$($shell entry --length "")" ""
+    done
+}
+
+deb() {
+    rm -rf "$build/deb"
+    (cd "$build" && cpack -G DEB -B "$build/deb" >/dev/null)
+    local deb=$(ls "$build"/deb/*.deb)
+    dpkg-deb --info "$deb"
+    for wanted in libc6 libcairo2 libtbb12 libhwy1 libhwy-dev; do
+        dpkg-deb --field "$deb" Depends | grep -q "\b$wanted\b" || fail "does not depend on $wanted"
+    done
+    same "version" "$(dpkg-deb --field "$deb" Version)" "$("$build/snug" --version | cut -d' ' -f2)"
+    # The same files as installed, but for zsh's.
+    same "files" "$(dpkg-deb --contents "$deb" | sed -n 's,^-.* \./usr/,,p' | sed 's,vendor-completions,site-functions,' |
+        sort)" "$(cd "$installed" && find . -type f | cut -c3- | sort)"
+    ! dpkg-deb --contents "$deb" | grep -v ' root/root ' || fail "is not all root's"
+}
+
+$check
