@@ -93,7 +93,8 @@ web-page: setup
 	@command -v npm >/dev/null || setup/install.sh npm-packages.txt
 	NODE_PATH=/usr/share/nodejs emcmake cmake -S bindings/wasm -B build/wasm -G Ninja
 	NODE_PATH=/usr/share/nodejs cmake --build build/wasm --parallel $(JOBS)
-	cd web && { test node_modules/.package-lock.json -nt package-lock.json || npm ci --no-audit --no-fund; } && npm run build
+	cd web && { test node_modules/.package-lock.json -nt package-lock.json || npm install --no-save --no-audit --no-fund; }
+	cd web && npm run build
 
 # The page in Chromium, against the command. Its screenshots are in build/web.
 web-test: web-page
