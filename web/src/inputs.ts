@@ -34,11 +34,11 @@ interface Limits {
 
 /** What the page takes and can show; the command takes more. */
 export const limits: Record<NumberField, Limits> = {
-    length: { what: "The slot's length", low: 0.5, high: 40, unit: "m" },
-    width: { what: "The slot's width", low: 0.3, high: 10, unit: "m" },
+    length: { what: "The slot’s length", low: 0.5, high: 40, unit: "m" },
+    width: { what: "The slot’s width", low: 0.3, high: 10, unit: "m" },
     clearance: { what: "The clearance", low: 0, high: 1, unit: "m" },
     heading: { what: "The entry heading", low: 0, high: 90, unit: "°" },
-    "car-width": { what: "The car's width", low: 0.3, high: 6, unit: "m" },
+    "car-width": { what: "The car’s width", low: 0.3, high: 6, unit: "m" },
     "car-front": { what: "The front, measured from the rear axle,", low: 0.3, high: 25, unit: "m" },
     "car-rear": { what: "The rear overhang", low: 0.05, high: 12, unit: "m" },
     "car-wheelbase": { what: "The wheelbase", low: 0.3, high: 20, unit: "m" },
@@ -100,30 +100,35 @@ export function toLink(inputs: Inputs): string {
     return link.toString();
 }
 
+export interface Complaint {
+    sentence: string;
+    field?: NumberField;
+}
+
 /** What is good in a link, and sentences about what is not. */
-export function fromLink(text: string, start: Inputs, catalogue: Car[]): { inputs: Inputs; complaints: string[] } {
+export function fromLink(text: string, start: Inputs, catalogue: Car[]): { inputs: Inputs; complaints: Complaint[] } {
     let inputs = start;
-    const complaints: string[] = [];
+    const complaints: Complaint[] = [];
     const link = new URLSearchParams(text.slice(0, 2000));
     const name = link.get("car");
     if (name !== null) {
         const car = catalogue.find((one) => one.name === name);
         if (car) inputs = { ...inputs, car };
-        else complaints.push("The link names a car that is not in the catalogue.");
+        else complaints.push({ sentence: "The link names a car that is not in the catalogue." });
     }
     for (const field of Object.keys(limits) as NumberField[]) {
         const typed = link.get(field);
         if (typed === null) continue;
         const value = parseNumber(field, typed);
         if (typeof value === "number") inputs = withField(inputs, field, value);
-        else complaints.push(`In the link: ${value}`);
+        else complaints.push({ field, sentence: `In the link: ${value}` });
     }
     const words = { side: ["right", "left"], enter: ["backward", "forward"], strategy: ["max-steer", "fewest"] } as const;
     for (const [key, known] of Object.entries(words)) {
         const word = link.get(key);
         if (word === null) continue;
         if ((known as readonly string[]).includes(word)) inputs = { ...inputs, [key]: word };
-        else complaints.push(`In the link: “${key}” must be ${known.join(" or ")}.`);
+        else complaints.push({ sentence: `In the link: “${key}” must be ${known.join(" or ")}.` });
     }
     return { inputs, complaints };
 }

@@ -486,22 +486,27 @@ function run(snug: Snug, module: WebAssembly.Module) {
         else save(`${base()}.csv`, new Blob([rangesCsv(answer.entry_ranges)], { type: "text/csv" }));
     });
 
-    window.addEventListener("hashchange", () => {
-        const read = fromLink(location.hash.slice(1), usual, catalogue);
-        inputs = read.inputs;
-        complaints = read.complaints;
-        refresh();
-    });
-
-    let complaints = link.complaints;
+    // --- what is wrong with a link is said next to the field it means, else at the top
+    let complaints: string[] = [];
     function trouble(sentence: string) {
-        const text = [...complaints, sentence].filter(Boolean).join(" ");
-        setText(byId("trouble"), text);
-        set(byId("trouble"), { hidden: text ? null : "" });
+        const all = [...complaints, sentence].filter(Boolean).join(" ");
+        setText(byId("trouble"), all);
+        set(byId("trouble"), { hidden: all ? null : "" });
     }
     byId("inputs").addEventListener("input", () => (complaints = []));
+    const follow = (read: typeof link) => {
+        inputs = read.inputs;
+        complaints = read.complaints.filter(({ field }) => !field).map(({ sentence }) => sentence);
+        frame();
+        for (const { field, sentence } of read.complaints) {
+            if (!field) continue;
+            complain(field, sentence);
+            if (field.startsWith("car-")) document.querySelector("details")!.open = true;
+        }
+    };
+    window.addEventListener("hashchange", () => follow(fromLink(location.hash.slice(1), usual, catalogue)));
 
-    frame();
+    follow(link);
     document.documentElement.dataset.ready = String(Math.round(performance.now()));
     // For the tests of the page.
     Object.assign(window, { snugPage: { snug, frameTimes, inputs: () => inputs, answer: answerNow } });

@@ -218,7 +218,7 @@ test("bad numbers are explained next to their field, and the last good picture s
         await type(page, "length", "4.9");
         await type(page, "length", nonsense);
         if (nonsense === "4.") continue; // half-typed, and a number: four metres
-        assert.match(await text(page, "length-error"), /slot’s length|slot's length/, nonsense);
+        assert.match(await text(page, "length-error"), /slot’s length/, nonsense);
         assert.equal(await page.locator("#length").getAttribute("aria-invalid"), "true");
         assert.equal(await text(page, "count"), count, nonsense);
         assert.equal(await page.locator("#drawing .street").innerHTML(), street, nonsense);
@@ -279,8 +279,9 @@ test("hostile and outdated links are explained and put nothing into the page", a
         assert.match(await text(page, "count"), /^\d+$/);
         await page.context().close();
     }
-    const page = await site.page({ path: "#car=trabant&length=5.5" });
+    const page = await site.page({ path: "#car=trabant&length=5.5&width=wide" });
     assert.match(await text(page, "trouble"), /not in the catalogue/);
+    assert.match(await text(page, "width-error"), /^In the link: The slot’s width must be a number/);
     assert.equal((await inputs(page)).length, 5.5);
     await page.context().close();
 });
