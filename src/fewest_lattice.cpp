@@ -119,7 +119,8 @@ void Lattice::measure_column(int d) {
     const double rear_wall = -problem_.length - along - outward;
     const double front_wall = along + outward;
 
-    Column& column = columns_[static_cast<std::size_t>(d - measured_.from + 2)];
+    const int place = d - measured_.from + 2;
+    Column& column = columns_[static_cast<std::size_t>(place)];
     column.cosine = cosine_of(sine);
     column.tangent = sine / column.cosine;
     // Parked: the real frame inside.

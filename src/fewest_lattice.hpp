@@ -156,7 +156,8 @@ private:
     void measure_rows(const Watch& watch);
     void find_goals();
     [[nodiscard]] const Column& at(int column) const {
-        return columns_[static_cast<std::size_t>(column - measured_.from + 2)];
+        const int place = column - measured_.from + 2;
+        return columns_[static_cast<std::size_t>(place)];
     }
     [[nodiscard]] std::size_t index(int row, int cell) const;
 

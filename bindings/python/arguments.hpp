@@ -149,7 +149,6 @@ public:
         const py::handle given = values_[signature_.index(name)];
         if (given) value = as<T>(given, name);
     }
-    [[nodiscard]] bool has(const std::string& name) const { return bool(values_[signature_.index(name)]); }
     /// A callable or None.
     [[nodiscard]] py::object callback(const std::string& name) const;
 

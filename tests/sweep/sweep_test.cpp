@@ -71,7 +71,7 @@ TEST(Sweep, GivesUpWhenTold) {
 
 TEST(Sweep, EntriesAreThoseOfOneSlotAtATime) {
     std::vector<Slot> slots;
-    for (int i = 0; i < 60; ++i) slots.emplace_back(SlotDimensions{.length = 4.0 + 0.03 * i, .width = 1.7 + 0.01 * i});
+    for (int i = 0; i < 24; ++i) slots.emplace_back(SlotDimensions{.length = 4.4 + 0.05 * i, .width = 1.75 + 0.02 * i});
     const auto alone = entries(car, slots, {}, on(1));
     const auto together = entries(car, slots, {}, on(4));
     ASSERT_EQ(alone.size(), slots.size());
