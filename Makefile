@@ -20,13 +20,13 @@ demo: setup
 # Everything that can fail, the quickest first.
 test: check-format check-tidy build
 	ctest --preset release --parallel $(JOBS)
+	$(MAKE) web-test
 	cmake --preset sanitize
 	cmake --build --preset sanitize --parallel $(JOBS)
 	ctest --preset sanitize --parallel $(JOBS)
 	cmake --preset threads
 	cmake --build --preset threads --parallel $(JOBS)
 	ctest --preset threads
-	$(MAKE) web-test
 
 # The random checks with their full number.
 soak: build
