@@ -1,16 +1,11 @@
 // Entry positions for many slots, and direction changes for many headings, a few of them at a time on each core.
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <functional>
-#include <mutex>
 
 #include "check.hpp"
 #include "snug/sweep.hpp"
+#include "tasks.hpp"
 #include "widest_range.hpp"
 
 namespace snug {
@@ -20,28 +15,14 @@ namespace {
 /// Calls `answer_some(first, last, go_on)` for all of them in pieces; false when the asker gave up. `go_on` asks him.
 template <class AnswerSome>
 bool in_pieces(std::size_t all, std::size_t piece, const SweepOptions& sweep, const AnswerSome& answer_some) {
-    std::mutex telling;
-    std::size_t finished = 0;
-    std::atomic<bool> given_up = false;
-    const auto tell = [&](std::size_t more) {
-        const std::lock_guard lock(telling);
-        finished += more;
-        const double part = static_cast<double>(finished) / static_cast<double>(all);
-        if (sweep.progress && !given_up && !sweep.progress(part)) given_up = true;
-        return !given_up;
-    };
-    tbb::task_arena arena(sweep.threads > 0 ? sweep.threads : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, all, piece),
-            [&](const tbb::blocked_range<std::size_t>& range) {
-                if (given_up) return;
-                answer_some(range.begin(), range.end(), [&] { return tell(0); });
-                tell(range.size());
-            },
-            tbb::simple_partitioner{});
+    Progress progress(sweep, all);
+    on_all_cores((all + piece - 1) / piece, sweep, progress, [&](std::size_t task) {
+        const std::size_t first = task * piece;
+        const std::size_t last = std::min(first + piece, all);
+        answer_some(first, last, [&] { return progress.finished(0); });
+        progress.finished(last - first);
     });
-    return !given_up;
+    return !progress.given_up();
 }
 
 std::vector<int> changes_in_pieces(std::size_t all, const MaxSteerOptions& options, const SweepOptions& sweep,

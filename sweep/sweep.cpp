@@ -3,52 +3,22 @@
 // next. Tasks share nothing, so answers do not depend on the number of threads.
 #include "snug/sweep.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-#include <oneapi/tbb/task_group.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <mutex>
 #include <numeric>
 #include <set>
 
 #include "check.hpp"
 #include "smallest_slot.hpp"
 #include "snug/entry.hpp"
+#include "tasks.hpp"
 #include "widest_range.hpp"
 
 namespace snug {
 
 namespace {
-
-/// Counts finished tasks and passes on what the asker says to that.
-class Progress {
-public:
-    Progress(const std::function<bool(double)>& tell, std::size_t tasks, tbb::task_group_context& work)
-        : tell_(tell), tasks_(tasks), work_(work) {}
-
-    /// False when there is no need to go on.
-    bool finished(std::size_t more) {
-        const std::lock_guard lock(mutex_);
-        finished_ += more;
-        if (!tell_ || cancelled_) return !cancelled_;
-        cancelled_ = !tell_(static_cast<double>(finished_) / static_cast<double>(tasks_));
-        if (cancelled_) work_.cancel_group_execution();
-        return !cancelled_;
-    }
-    [[nodiscard]] bool cancelled() const { return cancelled_; }
-
-private:
-    const std::function<bool(double)>& tell_;
-    std::size_t tasks_;
-    tbb::task_group_context& work_;
-    std::mutex mutex_;
-    std::size_t finished_ = 0;
-    bool cancelled_ = false;
-};
 
 using Slots = std::vector<std::optional<MinSlot>>;
 
@@ -66,12 +36,11 @@ std::vector<MinSlotRow> sweep_over(const std::vector<double>& given, const std::
     std::stable_sort(columns.begin(), columns.end(), [&](std::size_t a, std::size_t b) { return given[a] < given[b]; });
 
     std::vector<MinSlotRow> rows(given.size() * max_changes.size());
-    tbb::task_group_context work;
-    Progress progress(sweep.progress, given.size(), work);
+    Progress progress(sweep, given.size());
     const auto answer_some = [&](std::size_t task) {
         Slots slots;
         for (std::size_t i = task * per_task; i < std::min((task + 1) * per_task, columns.size()); ++i) {
-            if (work.is_group_execution_cancelled()) return;
+            if (progress.given_up()) return;
             const std::size_t column = columns[i];
             slots = answer(given[column], rising, slots, progress);
             for (std::size_t k = 0; k < max_changes.size(); ++k) {
@@ -82,9 +51,8 @@ std::vector<MinSlotRow> sweep_over(const std::vector<double>& given, const std::
         }
     };
     const std::size_t tasks = (given.size() + per_task - 1) / per_task;
-    tbb::task_arena arena(sweep.threads > 0 ? sweep.threads : tbb::task_arena::automatic);
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, tasks, answer_some, tbb::simple_partitioner{}, work); });
-    if (progress.cancelled()) rows.clear();
+    on_all_cores(tasks, sweep, progress, answer_some);
+    if (progress.given_up()) rows.clear();
     return rows;
 }
 
