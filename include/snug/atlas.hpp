@@ -133,16 +133,15 @@ public:
 
 private:
     struct Unmap {
-        std::size_t bytes = 0;
+        std::size_t bytes;
         void operator()(const std::byte* mapped) const noexcept;
     };
     using Mapped = std::unique_ptr<const std::byte, Unmap>;
     static Mapped map(const std::string& path);
-    /// Checks head and index; `name` begins the sentence about what is wrong with them.
+    /// Checks head and index; `name` is the file's in the sentence about what is wrong with it.
     void open(const std::string& name);
-    [[nodiscard]] bool check(std::size_t block) const noexcept;
-    [[nodiscard]] std::size_t cells_in(std::size_t block) const noexcept;
     [[nodiscard]] std::span<const std::byte> block_bytes(std::size_t block) const noexcept;
+    [[nodiscard]] bool check(std::size_t block) const noexcept;
 
     Mapped mapped_;  ///< nothing where the bytes are somebody else's
     std::span<const std::byte> bytes_;
@@ -150,14 +149,14 @@ private:
     std::size_t cars_ = 0;
     std::size_t widths_ = 0;
     std::size_t lengths_ = 0;
-    std::size_t cells_per_block_ = 0;
     std::size_t blocks_ = 0;
+    int block_bits_ = 0;  ///< a block has two to the power of this many cells
     const std::byte* names_ = nullptr;
     const std::byte* width_values_ = nullptr;
     const std::byte* length_values_ = nullptr;
     const std::byte* first_block_ = nullptr;
     const std::byte* index_ = nullptr;
-    /// What is known of each block. The bytes never change, so that threads that find out at once find the same.
+    /// What is known of each block. Threads that find out at the same time find the same.
     enum class Block : std::uint8_t { unknown, whole, damaged };
     std::unique_ptr<std::atomic<Block>[]> states_;
 };
