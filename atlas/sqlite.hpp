@@ -82,6 +82,7 @@ private:
     void bind(int at, bool value) { check(sqlite3_bind_int(handle_, at, value ? 1 : 0)); }
     void bind(int at, double value) { check(sqlite3_bind_double(handle_, at, value)); }
     void bind(int at, std::string_view text);
+    void bind(int at, const char* text) { bind(at, std::string_view(text)); }  // not a bool
     template <class T>
     void bind(int at, const std::optional<T>& value) {
         value ? bind(at, *value) : bind(at, nullptr);

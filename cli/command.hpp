@@ -25,6 +25,7 @@ Action parse(const Arguments& arguments);
 Action parse_entry(const Arguments& arguments);
 Action parse_min_slot(const Arguments& arguments);
 Action parse_leave(const Arguments& arguments);
+Action parse_atlas(const Arguments& arguments);
 Action parse_cars(const Arguments& arguments);
 Action parse_paper(const Arguments& arguments);
 
@@ -33,5 +34,8 @@ Action say(const std::string& text);
 
 /// Understands and answers; whatever goes wrong is one line on standard error.
 int run(const Arguments& arguments);
+
+/// The exit code of an action; whatever goes wrong is one line that begins with the prefix.
+int answered(const std::string& prefix, const Action& action);
 
 }  // namespace snug::cli

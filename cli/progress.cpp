@@ -70,6 +70,19 @@ std::function<bool(const FewestProgress&)> show_bounds() {
     };
 }
 
+std::function<void(const AtlasProgress&)> show_cells() {
+    if (!watched()) return {};
+    return [line = Line()](const AtlasProgress& so_far) mutable {
+        line.write([&](double spent) {
+            std::string text = std::to_string(so_far.stored) + " of " + std::to_string(so_far.cells) + " cells";
+            if (so_far.solved == 0) return text;
+            const double rate = static_cast<double>(so_far.solved) / spent;
+            const double left = static_cast<double>(so_far.cells - so_far.stored) / rate;
+            return text + ", " + fixed(rate, rate < 10.0 ? 1 : 0) + " a second, " + duration(left) + " left";
+        });
+    };
+}
+
 void wipe_progress() {
     if (watched()) {
         std::fputs("\r\x1b[K", stderr);

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "snug/atlas_database.hpp"
 #include "snug/fewest.hpp"
 
 namespace snug::cli {
@@ -13,6 +14,9 @@ std::function<bool(double)> show_progress();
 
 /// The same for the fewest changes over all maneuvers: shows the bounds so far and the lattice they come from.
 std::function<bool(const FewestProgress&)> show_bounds();
+
+/// The same for an atlas: cells, how many a second, and the time left.
+std::function<void(const AtlasProgress&)> show_cells();
 
 /// Wipes it away again.
 void wipe_progress();

@@ -1,0 +1,71 @@
+// snug atlas: which of its four parts is meant.
+#include "cli/atlas.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "cli/menu.hpp"
+#include "snug/error.hpp"
+#include "spelling.hpp"
+
+namespace snug::cli {
+namespace {
+
+const Menu menu = {
+    "snug atlas",
+    "Answers for many cars and slots, computed beforehand.",
+    {
+        {"build", "Solves every car in every slot, into a database.", parse_atlas_build},
+        {"query", "Answers for one car and one slot from the atlas.", parse_atlas_query},
+        {"export", "Writes CSV, or the compact file for cars.", parse_atlas_export},
+        {"verify", "Checks a database or an exported file.", parse_atlas_verify},
+    },
+    "Example:\n"
+    "  snug atlas build --db fleet.sqlite --cars all --width 1.8:2.4:0.1 --length 4:6:0.1\n"
+    "  snug atlas query --db fleet.sqlite --car renault-zoe --length 5.03 --width 2.07\n"
+    "  snug atlas export --db fleet.sqlite -o fleet.atlas\n",
+};
+
+}  // namespace
+
+Action parse_atlas(const Arguments& arguments) { return choose(menu, arguments); }
+
+void add_db(Options& options, const std::string& help) {
+    options.group("Atlas");
+    options.add("--db", "FILE", help);
+}
+
+std::string db(const Options& options) {
+    const std::string* path = options.typed("--db");
+    if (path == nullptr) throw Error("--db is missing; give the atlas's file");
+    return *path;
+}
+
+bool is_exported(const std::string& path) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    char head[8] = {};
+    return file && std::fread(head, 1, sizeof head, file.get()) == sizeof head &&
+           std::string(head, sizeof head) == "snug-atl";
+}
+
+std::string extent(std::size_t cars, std::size_t widths, std::size_t lengths) {
+    return std::to_string(cars) + (cars == 1 ? " car in " : " cars in ") + std::to_string(widths) + " x " +
+           std::to_string(lengths) + " slots, " + std::to_string(cars * widths * lengths) + " cells";
+}
+
+std::size_t find_in_atlas(const std::string& name, const std::vector<std::string>& cars) {
+    const auto found = std::find(cars.begin(), cars.end(), name);
+    if (found != cars.end()) return static_cast<std::size_t>(found - cars.begin());
+    constexpr std::size_t most = 12;
+    std::vector<std::string> some(cars.begin(),
+                                  cars.begin() + static_cast<std::ptrdiff_t>(std::min(most, cars.size())));
+    std::string there = "the atlas has " + std::to_string(cars.size()) + (cars.size() == 1 ? " car: " : " cars: ");
+    for (std::size_t i = 0; i < some.size(); ++i) there += (i == 0 ? "" : ", ") + printable(some[i]);
+    if (cars.size() > most) there += ", ...";
+    const std::optional<std::string> nearest = nearest_word(name, cars);
+    throw Error("--car: " + in_quotes(name) + " is not in the atlas; " +
+                (nearest ? "did you mean " + printable(*nearest) + "? " : "") + there);
+}
+
+}  // namespace snug::cli

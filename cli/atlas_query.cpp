@@ -1,0 +1,224 @@
+// snug atlas query: one car and one slot, from the database or from an exported file.
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "check.hpp"
+#include "cli/atlas.hpp"
+#include "cli/entry.hpp"
+#include "cli/output.hpp"
+#include "cli/table.hpp"
+#include "cli/words.hpp"
+#include "snug/atlas_database.hpp"
+#include "snug/error.hpp"
+#include "snug/io.hpp"
+#include "spelling.hpp"
+
+namespace snug::cli {
+namespace {
+
+constexpr const char* purpose =
+    "What an atlas says of one car and one slot. Between grid points the answer is\n"
+    "safe: it is the maneuver of the nearest stored slot that is no longer and no\n"
+    "wider, which therefore fits.";
+
+constexpr const char* examples =
+    "Lengths are in metres, angles in radians. FILE is a database that snug atlas\n"
+    "build has made, or a file that snug atlas export has written from one.\n\n"
+    "Examples:\n"
+    "  snug atlas query --db five.sqlite --car renault-zoe --length 5.03 --width 2.07\n"
+    "  snug atlas query --db five.atlas --car opel-corsa --length 4.5 --width 2 --side left\n\n"
+    "Exit codes: 0 the car parks; 1 it cannot; 2 bad input, with one line that says\n"
+    "what is wrong; 3 undecided: too little room in the stored slot, and nothing is\n"
+    "proved of the one asked for.";
+
+std::string size(double metres) { return spelled(metres) + " m"; }
+
+void check_in_grid(const std::string& option, double asked, double least, double most) {
+    if (asked >= least && asked <= most) return;
+    const std::string what = option.substr(2);
+    throw Error(option + ": " + size(asked) + " is outside the atlas, which has " + what + "s from " + size(least) +
+                " to " + size(most) +
+                (asked > most ? "; ask for " + spelled(most) + ", which is safe in a larger slot as well"
+                              : "; smaller slots have to be built first"));
+}
+
+/// The stored values next to the one asked for, which lies among them: two, or one where it is stored itself.
+std::vector<double> around(const std::vector<double>& sizes, double asked) {
+    const auto above = std::lower_bound(sizes.begin(), sizes.end(), asked);
+    return *above == asked ? std::vector<double>{asked} : std::vector<double>{*(above - 1), *above};
+}
+
+/// The cells around a slot, copied out of a database into a little exported atlas, so that there is one way to look up.
+std::string copied(const AtlasDatabase& database, std::size_t car, double length, double width) {
+    AtlasPlan little = database.plan();
+    little.cars = {database.plan().cars[car]};
+    little.lengths = around(database.plan().lengths, length);
+    little.widths = around(database.plan().widths, width);
+    std::string bytes;
+    AtlasWriter writer(little, database.made_by(), [&](std::string_view part) { bytes += part; });
+    for (const double stored_width : little.widths) {
+        for (const double stored_length : little.lengths) {
+            const std::optional<CellAnswer> answer = database.cell(car, stored_width, stored_length);
+            if (!answer)
+                throw Error("the slot of " + size(stored_length) + " x " + size(stored_width) +
+                            " is not solved yet; run the same snug atlas build again to complete the atlas");
+            writer.add(*answer);
+        }
+    }
+    writer.finish();
+    return bytes;
+}
+
+/// What is looked up, however it is stored.
+struct Asked {
+    std::string bytes;  ///< behind `atlas` when it comes from a database
+    std::unique_ptr<Atlas> atlas;
+    std::size_t car = 0;
+};
+
+struct Question {
+    Car car;
+    Slot slot;
+    Asked asked;
+};
+
+std::string car_name(const Options& options) {
+    const std::string* name = options.typed("--car");
+    if (name == nullptr) throw Error("--car is missing; give a name of the atlas");
+    return *name;
+}
+
+Question open(const Options& options) {
+    const std::string path = db(options);
+    const std::string name = car_name(options);
+    Asked asked;
+    if (is_exported(path)) {
+        asked.atlas = std::make_unique<Atlas>(path);
+        const Atlas& atlas = *asked.atlas;
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < atlas.cars(); ++i) names.emplace_back(atlas.car_name(i));
+        asked.car = find_in_atlas(name, names);
+        const Car car = atlas.car(asked.car);
+        const Slot wanted = slot(options, car);
+        check_in_grid("--length", wanted.length(), atlas.length(0), atlas.length(atlas.lengths() - 1));
+        check_in_grid("--width", wanted.width(), atlas.width(0), atlas.width(atlas.widths() - 1));
+        return {car, wanted, std::move(asked)};
+    }
+    const AtlasDatabase database(path);
+    const AtlasPlan& plan = database.plan();
+    std::vector<std::string> names;
+    for (const Car& each : plan.cars) names.push_back(each.name());
+    const std::size_t place = find_in_atlas(name, names);
+    const Car car = plan.cars[place];
+    const Slot wanted = slot(options, car);
+    check_in_grid("--length", wanted.length(), plan.lengths.front(), plan.lengths.back());
+    check_in_grid("--width", wanted.width(), plan.widths.front(), plan.widths.back());
+    asked.bytes = copied(database, place, wanted.length(), wanted.width());
+    asked.atlas = std::make_unique<Atlas>(std::as_bytes(std::span<const char>(asked.bytes)));
+    return {car, wanted, std::move(asked)};
+}
+
+EntryOptions entry_options(const AtlasOptions& options) {
+    EntryOptions entry;
+    entry.max_changes = options.max_changes;
+    entry.min_range = options.min_range;
+    entry.clearance = options.clearance;
+    entry.enter = options.enter;
+    return entry;
+}
+
+EntryAnswer as_entry(const AtlasAnswer& found, const Question& question) {
+    EntryAnswer answer;
+    answer.parkable = found.verdict == AtlasVerdict::parks;
+    answer.cancelled = found.verdict == AtlasVerdict::undecided;  // which JSON calls null
+    if (!answer.parkable) return answer;
+    answer.direction_changes = found.cell.direction_changes();
+    for (std::size_t i = 0; i < found.cell.ranges(); ++i) answer.ranges.push_back(found.cell.range(i));
+    answer.maneuver = maneuver(found.cell, question.car, question.slot);
+    return answer;
+}
+
+FewestAnswer as_fewest(const AtlasAnswer& found, const Question& question) {
+    FewestAnswer answer;
+    answer.lower_bound = found.lower_bound;
+    if (found.verdict == AtlasVerdict::parks) {
+        answer.direction_changes = found.cell.direction_changes();
+        answer.maneuver = maneuver(found.cell, question.car, question.slot);
+    }
+    answer.proved =
+        found.verdict == AtlasVerdict::cannot_park || answer.direction_changes == std::optional<int>(found.lower_bound);
+    return answer;
+}
+
+bool is_stored(const Question& question, const AtlasCell& cell) {
+    return cell.length() == question.slot.length() && cell.width() == question.slot.width();
+}
+
+std::string used(const Question& question, const AtlasCell& cell) {
+    const std::string stored = "the stored slot of " + size(cell.length()) + " x " + size(cell.width());
+    if (is_stored(question, cell)) return "From " + stored + ", which is the one asked for.\n";
+    const auto smaller = [](double by, const char* how) { return fixed(by, 3) + " m " + how; };
+    const double shorter = question.slot.length() - cell.length();
+    const double narrower = question.slot.width() - cell.width();
+    std::string by = shorter > 0.0 ? smaller(shorter, "shorter") : "";
+    by += shorter > 0.0 && narrower > 0.0 ? " and " : "";
+    by += narrower > 0.0 ? smaller(narrower, "narrower") : "";
+    return "From " + stored + ", " + by + ":\nmoves end where its sides would be, not at contact.\n";
+}
+
+std::string text(const Question& question, const AtlasAnswer& found) {
+    const AtlasOptions& options = question.asked.atlas->options();
+    const EntryQuestion asked = {question.car, question.slot, entry_options(options)};
+    if (found.verdict == AtlasVerdict::undecided)
+        return name(question.car) + " may park in the " + fixed(question.slot.length(), 3) + " x " +
+               fixed(question.slot.width(), 3) + " m slot: the atlas does not know.\n" + "In the stored slot of " +
+               size(found.cell.length()) + " x " + size(found.cell.width()) + " it does not park with up to " +
+               changes(options.max_changes.value_or(200)) + ".\n";
+    const std::string answer = options.strategy == AtlasStrategy::fewest
+                                   ? fewest_text(asked, options.max_changes.value_or(200), as_fewest(found, question))
+                                   : entry_text(asked, as_entry(found, question));
+    return answer + '\n' + used(question, found.cell);
+}
+
+std::string json(const Question& question, const AtlasAnswer& found) {
+    const AtlasOptions& options = question.asked.atlas->options();
+    Json answer = options.strategy == AtlasStrategy::fewest
+                      ? as_json(question.car, question.slot, options.max_changes, as_fewest(found, question))
+                      : as_json(question.car, question.slot, entry_options(options), as_entry(found, question));
+    answer["cell"] = {{"length", found.cell.length()},
+                      {"width", found.cell.width()},
+                      {"shorter", question.slot.length() - found.cell.length()},
+                      {"narrower", question.slot.width() - found.cell.width()}};
+    return write(answer);
+}
+
+int exit_code(AtlasVerdict verdict) {
+    return verdict == AtlasVerdict::parks ? solved : verdict == AtlasVerdict::cannot_park ? cannot_park : undecided;
+}
+
+}  // namespace
+
+Action parse_atlas_query(const Arguments& arguments) {
+    Options options("snug atlas query", purpose, examples);
+    add_db(options, "The atlas: a database, or an exported file.");
+    options.group("Car");
+    options.add("--car", "NAME", "A name of the atlas.");
+    add_slot(options);
+    add_output(options);
+    if (!options.read(arguments)) return say(options.help());
+    const Format chosen = format(options);
+    if (chosen == Format::csv)
+        throw Error("--format: csv is for whole tables, which snug atlas export writes; write text or json");
+    return [question = std::make_shared<const Question>(open(options)), chosen, path = output(options)] {
+        const Asked& asked = question->asked;
+        const AtlasAnswer found = asked.atlas->look_up(asked.car, question->slot.length(), question->slot.width());
+        if (found.verdict == AtlasVerdict::damaged)
+            throw Error("--db: the part of the atlas that holds the answer is damaged; export it again");
+        put_out(path, chosen == Format::json ? json(*question, found) : text(*question, found));
+        return exit_code(found.verdict);
+    };
+}
+
+}  // namespace snug::cli
