@@ -79,11 +79,11 @@ private:
 /// What an atlas says of a slot.
 enum class AtlasVerdict {
     parks,         ///< with the maneuver of `cell`
-    cannot_park,   ///< the stored slot is this one and nothing parks in it, or a larger slot is proved too small
+    cannot_park,   ///< full steering does not in exactly this stored slot, or none as large can, which is proved
     undecided,     ///< the stored slot below is too small, and nothing is proved of the slot asked for
     outside_grid,  ///< shorter, longer, narrower or wider than every stored slot, or not a number
     no_such_car,   ///< the atlas has not so many cars
-    damaged,       ///< the part of the file that holds the answer fails its checksum
+    damaged,       ///< a part of the file that is needed for the answer is damaged
 };
 
 struct AtlasAnswer {
@@ -96,20 +96,17 @@ struct AtlasAnswer {
     int lower_bound = 0;
 };
 
-/// An exported atlas, open for look-ups. docs/atlas.md describes the file byte by byte.
+/// An exported atlas, open for look-ups. docs/atlas-format.md describes the file byte by byte.
 ///
 /// Opening checks the file's head and index; the block of cells that holds an answer is checked when it is first used.
-/// Look-ups allocate nothing, throw nothing and may run on many threads at once. The file must not be changed in place
-/// while it is open; `snug atlas export` replaces files as a whole.
+/// Look-ups allocate nothing, throw nothing and may run on many threads at once. The file must not be changed or cut in
+/// place while it is open; `snug atlas export` replaces files as a whole.
 class Atlas {
 public:
     /// Maps the file. Throws Error when it cannot be read, is no atlas, or its head or index is damaged.
     explicit Atlas(const std::string& path);
-    /// An atlas that is in memory already: the bytes must stay, and begin at a multiple of 8.
+    /// An atlas that is in memory already: the bytes must stay as long as it.
     explicit Atlas(std::span<const std::byte> bytes);
-    Atlas(Atlas&&) noexcept;
-    Atlas& operator=(Atlas&&) noexcept;
-    ~Atlas();
 
     [[nodiscard]] const AtlasOptions& options() const noexcept { return options_; }
     /// The version of snug whose answers these are.
@@ -135,7 +132,33 @@ public:
     [[nodiscard]] bool block_is_whole(std::size_t block) const noexcept;
 
 private:
-    // (the reader's own state)
+    struct Unmap {
+        std::size_t bytes;
+        void operator()(const std::byte* mapped) const noexcept;
+    };
+    using Mapped = std::unique_ptr<const std::byte, Unmap>;
+    static Mapped map(const std::string& path);
+    /// Checks head and index; `name` is the file's in the sentence about what is wrong with it.
+    void open(const std::string& name);
+    [[nodiscard]] std::span<const std::byte> block_bytes(std::size_t block) const noexcept;
+    [[nodiscard]] bool check(std::size_t block) const noexcept;
+
+    Mapped mapped_;  ///< nothing where the bytes are somebody else's
+    std::span<const std::byte> bytes_;
+    AtlasOptions options_;
+    std::size_t cars_ = 0;
+    std::size_t widths_ = 0;
+    std::size_t lengths_ = 0;
+    std::size_t blocks_ = 0;
+    int block_bits_ = 0;  ///< a block has two to the power of this many cells
+    const std::byte* names_ = nullptr;
+    const std::byte* width_values_ = nullptr;
+    const std::byte* length_values_ = nullptr;
+    const std::byte* first_block_ = nullptr;
+    const std::byte* index_ = nullptr;
+    /// What is known of each block. Threads that find out at the same time find the same.
+    enum class Block : std::uint8_t { unknown, whole, damaged };
+    std::unique_ptr<std::atomic<Block>[]> states_;
 };
 
 /// The stored maneuver with its poses, in the world of a slot (of any size) it is driven in.
