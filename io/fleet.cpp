@@ -110,7 +110,7 @@ public:
         const double value = number(steering);
         in(steering, [&] { dimensions.max_steer = steering_angle(key, key, value, dimensions); });
         in(steering, [&] { static_cast<void>(Car(dimensions)); });
-        const Car car(dimensions, name);
+        Car car(dimensions, name);
         check_agreement(car, "length", "front and rear");
         for (const std::string& other : steerings) {
             check_agreement(car, other, key);
