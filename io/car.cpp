@@ -1,16 +1,11 @@
 // A car from a JSON file: read as a flat list of keys and values, so nothing nested, doubled or unknown slips through.
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <map>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
-#include <system_error>
 #include <vector>
 
-#include "check.hpp"
+#include "car_file.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
 #include "spelling.hpp"
@@ -19,13 +14,6 @@ namespace snug {
 namespace {
 
 constexpr std::size_t largest_file = 1'000'000;  // [bytes]
-constexpr std::size_t longest_name = 100;        // [bytes]
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double least_steer = 0.1 * degree;  // what a Car accepts
-constexpr double most_steer = 89.9 * degree;
-
-const std::vector<std::string> lengths = {"width", "front", "rear", "wheelbase"};
-const std::vector<std::string> steerings = {"max_steer", "max_steer_deg", "turning_radius", "curb_to_curb"};
 
 /// The keys and values of a car file, taken event by event from the JSON parser.
 struct CarFile {
@@ -45,7 +33,10 @@ struct CarFile {
     bool end_object() { return true; }
 
     bool key(const std::string& word) {
-        std::vector<std::string> known = lengths;
+        std::vector<std::string> known;
+        for (const NamedLength& length : car_lengths) {
+            known.emplace_back(length.name);
+        }
         known.insert(known.end(), steerings.begin(), steerings.end());
         known.emplace_back("name");
         if (std::find(known.begin(), known.end(), word) == known.end()) {
@@ -75,10 +66,7 @@ struct CarFile {
         if (!in_object || open_key != "name") {
             wrong_type("a string");
         }
-        if (value.size() > longest_name || std::any_of(value.begin(), value.end(), is_control)) {
-            throw Error("key \"name\" is " + in_quotes(value) + ", but must be at most " +
-                        std::to_string(longest_name) + " bytes long and free of control characters");
-        }
+        check_name("key \"name\"", value);
         name = value;
         return true;
     }
@@ -112,7 +100,7 @@ struct CarFile {
 };
 
 /// The largest steering angle under whichever key it was given. [rad]
-double max_steer(const CarFile& file, CarDimensions dimensions) {
+double max_steer(const CarFile& file, const CarDimensions& dimensions) {
     const std::string* given = nullptr;
     for (const std::string& key : steerings) {
         if (file.numbers.count(key) == 0) {
@@ -126,36 +114,19 @@ double max_steer(const CarFile& file, CarDimensions dimensions) {
     if (given == nullptr) {
         throw Error("says nothing about the steering; give one of " + either(steerings));
     }
-    const double value = file.numbers.at(*given);
-    dimensions.max_steer = most_steer;
-    const Car sharpest(dimensions);
-    dimensions.max_steer = least_steer;
-    const Car dullest(dimensions);
-    const std::string what = "key \"" + *given + '"';
-    if (*given == "max_steer") {
-        check_between(what, value, least_steer, most_steer, " rad");
-        return value;
-    }
-    if (*given == "max_steer_deg") {
-        check_between(what, value, least_steer / degree, most_steer / degree, " degrees");
-        return value * degree;
-    }
-    if (*given == "turning_radius") {
-        check_between(what, value, sharpest.turning_radius(), dullest.turning_radius(), " m");
-        return steer_for_turning_radius(dimensions.wheelbase, value);
-    }
-    check_between(what, value, sharpest.curb_to_curb(), dullest.curb_to_curb(), " m");
-    return steer_for_curb_to_curb(dimensions.wheelbase, dimensions.width, value);
+    return steering_angle("key \"" + *given + '"', *given, file.numbers.at(*given), dimensions);
 }
 
 Car car(const CarFile& file) {
-    for (const std::string& key : lengths) {
-        if (file.numbers.count(key) == 0) {
-            throw Error("key \"" + key + "\" is missing; give it in metres");
+    CarDimensions dimensions;
+    for (const NamedLength& length : car_lengths) {
+        const auto found = file.numbers.find(length.name);
+        if (found == file.numbers.end()) {
+            throw Error("key \"" + std::string(length.name) + "\" is missing; give it in metres");
         }
+        dimensions.*length.value = found->second;
     }
-    CarDimensions dimensions = {file.numbers.at("width"), file.numbers.at("front"), file.numbers.at("rear"),
-                                file.numbers.at("wheelbase"), 1.0};
+    dimensions.max_steer = 1.0;
     static_cast<void>(Car(dimensions));  // the lengths first: what the steering may be depends on them
     dimensions.max_steer = max_steer(file, dimensions);
     return Car(dimensions, file.name.value_or(""));
@@ -178,21 +149,7 @@ Car car_from_json(std::string_view text, const std::string& source) {
 }
 
 Car read_car(const std::string& path) {
-    const auto failed = [&](int reason) {
-        return Error(path + ": cannot be read: " + std::generic_category().message(reason) +
-                     "; give a car file or a name that `snug cars` lists");
-    };
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file) {
-        throw failed(errno);
-    }
-    std::string text(largest_file + 1, '\0');
-    errno = 0;
-    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-    if (std::ferror(file.get()) != 0) {
-        throw failed(errno);
-    }
-    return car_from_json(text, path);
+    return car_from_json(read_text(path, largest_file, "give a car file or a name that `snug cars` lists"), path);
 }
 
 }  // namespace snug

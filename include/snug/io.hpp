@@ -1,4 +1,4 @@
-// Cars and answers as JSON: the files the command reads and the answers it prints.
+// Cars and answers as JSON and CSV: the files the command reads and the answers it prints.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -22,6 +22,15 @@ using Json = nlohmann::ordered_json;
 Car car_from_json(std::string_view text, const std::string& source);
 /// The car in a file of at most 1 MB. Throws Error when it cannot be read.
 Car read_car(const std::string& path);
+
+/// Cars from CSV (RFC 4180), as `snug cars --format csv` writes it: a line names the columns, in any order, and each further
+/// line is a car. Needed are `name` (a different one for each car), `width`, `front`, `rear`, `wheelbase` and one of
+/// `max_steer`, `max_steer_deg`, `turning_radius` and `curb_to_curb`, as in a car file. There may be several of these, of
+/// which a car fills at least one, and `length`; those filled must agree. Throws Error, beginning with `source` and with the
+/// line and column, when anything is wrong.
+std::vector<Car> cars_from_csv(std::string_view text, const std::string& source);
+/// The cars in a file of at most 100 MB. Throws Error when it cannot be read.
+std::vector<Car> read_cars(const std::string& path);
 
 /// A car file, with `max_steer`.
 Json as_json(const Car& car);

@@ -99,6 +99,36 @@ TEST(Fuzz, CarFiles) {
     EXPECT_GT(cars, 0);
 }
 
+TEST(Fuzz, Fleets) {
+    const std::string fleet =
+        "name,width,front,rear,wheelbase,max_steer,max_steer_deg,turning_radius,curb_to_curb,length\n"
+        "one,1.8,3.7,1,2.7,,45,2.7,,4.7\r\n"
+        "\"two, or \"\"2\"\"\",1.771,3.427,0.657,2.588,0.5,,,,\n";
+    const std::vector<std::string> pieces = {",",     "\"",           "\"\"",   "\n",  "\r\n",  "\r",
+                                             "name",  "width",        "length", ";",   "-",     "1e308",
+                                             "1e999", "1e-320",       "nan",    "inf", "0x1",   std::string(1, '\0'),
+                                             "\xff",  "\xef\xbb\xbf", "ü",      "1.8", ",,,,,", "max_steer_deg"};
+    Bytes bytes(4);
+    int fleets = 0;
+    for (int i = 0; i < sample(20'000, 2'000'000); ++i) {
+        std::string text = bytes.mutated(fleet, pieces);
+        if (bytes.below(4) == 0) {
+            text.resize(bytes.below(200));
+            for (char& byte : text) {
+                byte = static_cast<char>(bytes.below(256));
+            }
+        }
+        expect_value_or_error(text, [&] {
+            for (const Car& car : cars_from_csv(text, "fuzz")) {
+                EXPECT_FALSE(car.name().empty());
+                EXPECT_TRUE(car.turning_radius() > 0.0 && car.length() > 0.0);
+            }
+            ++fleets;
+        });
+    }
+    EXPECT_GT(fleets, 0);
+}
+
 TEST(Fuzz, ArgumentLists) {
     const std::vector<std::string> options = {"--car",
                                               "--length",

@@ -1,0 +1,293 @@
+// Many cars from a CSV file, a line each. Nothing that is said of a car can hold a line break, so lines are taken one by one,
+// quoted fields or not, and a quote left open spoils one line and not the rest of the file.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <system_error>
+
+#include "car_file.hpp"
+#include "snug/error.hpp"
+#include "snug/io.hpp"
+#include "spelling.hpp"
+
+namespace snug {
+namespace {
+
+constexpr std::size_t largest_file = 100'000'000;  // [bytes]
+constexpr std::size_t longest_line = 10'000;       // [bytes]
+constexpr double agreement = 1e-9;                 // of columns that say the same, relative
+constexpr double degree = std::numbers::pi / 180.0;
+
+std::string counted(std::size_t count, const std::string& what) {
+    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+/// What a column that repeats another would say of a car.
+double repeated(const Car& car, const std::string& column) {
+    return column == "max_steer"        ? car.max_steer()
+           : column == "max_steer_deg"  ? car.max_steer() / degree
+           : column == "turning_radius" ? car.turning_radius()
+           : column == "curb_to_curb"   ? car.curb_to_curb()
+                                        : car.length();
+}
+
+/// The first line of a text, without its end; the text goes on after it.
+std::string_view take_line(std::string_view& text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.empty() && line.back() == '\r') {
+        line.remove_suffix(1);
+    }
+    return line;
+}
+
+/// The columns and the line that is being read. Whatever is wrong is an Error that begins with its place.
+class Fleet {
+public:
+    /// Reads the next line that is not empty; false when there is none.
+    bool next_line(std::string_view& text) {
+        while (!text.empty()) {
+            ++line_;
+            if (const std::string_view line = take_line(text); !line.empty()) {
+                split(line);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Takes the line for the names of the columns.
+    void name_columns() {
+        std::vector<std::string> needed = {"name"};
+        for (const NamedLength& length : car_lengths) {
+            needed.emplace_back(length.name);
+        }
+        std::vector<std::string> known = needed;
+        known.insert(known.end(), steerings.begin(), steerings.end());
+        known.emplace_back("length");
+        for (const std::string& field : fields_) {
+            if (std::find(known.begin(), known.end(), field) == known.end()) {
+                throw wrong(columns_.size(),
+                            in_quotes(field) + " is no column; " +
+                                (field.find_first_of(";\t") != field.npos
+                                     ? "separate the columns by commas"
+                                     : did_you_mean(nearest_word(field, known), "write " + either(known))));
+            }
+            if (find(field)) {
+                throw wrong(columns_.size(), in_quotes(field) + " is there twice; name each column once");
+            }
+            columns_.push_back(field);
+        }
+        for (const std::string& column : needed) {
+            if (!find(column)) {
+                throw wrong_line("names no column " + in_quotes(column) + "; add it, for every car needs one");
+            }
+        }
+        if (std::none_of(steerings.begin(), steerings.end(), [&](const std::string& key) { return find(key); })) {
+            throw wrong_line("names no column for the steering; add one of " + either(steerings));
+        }
+    }
+
+    /// Takes the line for a car.
+    Car car() {
+        if (fields_.size() != columns_.size()) {
+            throw wrong_line("has " + counted(fields_.size(), "field") + ", but the header names " +
+                             counted(columns_.size(), "column") + "; write a field for each");
+        }
+        const std::string name = unique_name();
+        CarDimensions dimensions = {1.0, 1.0, 1.0, 1.0, 1.0};  // possible, so that each length is judged by itself
+        for (const NamedLength& length : car_lengths) {
+            const std::size_t column = *find(length.name);
+            dimensions.*length.value = number(column);
+            in(column, [&] { static_cast<void>(Car(dimensions)); });
+        }
+        const std::size_t steering = steering_column();
+        const std::string& key = columns_[steering];
+        const double value = number(steering);
+        in(steering, [&] { dimensions.max_steer = steering_angle(key, key, value, dimensions); });
+        in(steering, [&] { static_cast<void>(Car(dimensions)); });
+        Car car(dimensions, name);
+        check_agreement(car, "length", "front and rear");
+        for (const std::string& other : steerings) {
+            check_agreement(car, other, key);
+        }
+        return car;
+    }
+
+private:
+    [[nodiscard]] Error wrong_line(const std::string& what) const {
+        return Error("line " + std::to_string(line_) + ": " + what);
+    }
+    [[nodiscard]] Error wrong(std::size_t column, const std::string& what) const {
+        const std::string name = column < columns_.size() ? " (" + columns_[column] + ')' : "";
+        return Error("line " + std::to_string(line_) + ", column " + std::to_string(column + 1) + name + ": " + what);
+    }
+
+    /// What is wrong in there is wrong in that column.
+    template <typename Check>
+    void in(std::size_t column, Check check) const {
+        try {
+            check();
+        } catch (const Error& error) {
+            throw wrong(column, error.what());
+        }
+    }
+
+    void split(std::string_view line) {
+        if (line.size() > longest_line) {
+            throw wrong_line("is longer than 10 kB; write one car a line");
+        }
+        fields_.clear();
+        while (true) {
+            fields_.emplace_back();
+            const bool quoted = !line.empty() && line[0] == '"';
+            line.remove_prefix(quoted ? take_quoted(line) : take_plain(line));
+            if (line.empty()) {
+                return;
+            }
+            line.remove_prefix(1);  // the comma
+        }
+    }
+
+    // Both fill the last field from the start of the text, and return how many bytes it took.
+    std::size_t take_plain(std::string_view text) {
+        fields_.back() = text.substr(0, text.find(','));
+        if (fields_.back().find('"') != std::string::npos) {
+            throw wrong(fields_.size() - 1,
+                        in_quotes(fields_.back()) + " holds a quote; put the field in quotes and double those inside");
+        }
+        return fields_.back().size();
+    }
+    std::size_t take_quoted(std::string_view text) {
+        for (std::size_t begin = 1;;) {
+            const std::size_t quote = text.find('"', begin);
+            if (quote == text.npos) {
+                throw wrong(fields_.size() - 1, "the quote is not closed on its line; close it");
+            }
+            fields_.back() += text.substr(begin, quote - begin);
+            const std::string_view after = text.substr(quote + 1);
+            if (after.empty() || after[0] == ',') {
+                return quote + 1;
+            }
+            if (after[0] != '"') {
+                throw wrong(fields_.size() - 1,
+                            in_quotes(after) + " follows the closing quote; double a quote that belongs to the field");
+            }
+            fields_.back() += '"';
+            begin = quote + 2;
+        }
+    }
+
+    [[nodiscard]] std::optional<std::size_t> find(const std::string& column) const {
+        const auto found = std::find(columns_.begin(), columns_.end(), column);
+        return found == columns_.end() ? std::nullopt : std::optional<std::size_t>(found - columns_.begin());
+    }
+
+    std::string unique_name() {
+        const std::size_t column = *find("name");
+        const std::string& name = fields_[column];
+        if (name.empty()) {
+            throw wrong(column, "is empty; give every car a name");
+        }
+        in(column, [&] { check_name("the name", name); });
+        const auto [first, is_new] = lines_.emplace(name, line_);
+        if (!is_new) {
+            throw wrong(column, in_quotes(name) + " is the name of the car in line " + std::to_string(first->second) +
+                                    " too; give each car a name of its own");
+        }
+        return name;
+    }
+
+    /// The first that says something of this car.
+    [[nodiscard]] std::size_t steering_column() const {
+        for (const std::string& key : steerings) {
+            const std::optional<std::size_t> column = find(key);
+            if (column && !fields_[*column].empty()) {
+                return *column;
+            }
+        }
+        throw wrong_line("says nothing about the steering; give one of " + either(steerings));
+    }
+
+    [[nodiscard]] double number(std::size_t column) const {
+        const std::string& field = fields_[column];
+        const std::string unit = columns_[column] == "max_steer"       ? "radians"
+                                 : columns_[column] == "max_steer_deg" ? "degrees"
+                                                                       : "metres";
+        if (field.empty()) {
+            throw wrong(column, "is empty; write a decimal number in " + unit);
+        }
+        double value = 0.0;
+        const char* const end = field.data() + field.size();
+        const auto [read, error] = std::from_chars(field.data(), end, value);
+        if (read != end || error == std::errc::invalid_argument || !std::isfinite(value)) {
+            throw wrong(column, in_quotes(field) + " is no number; write a decimal number in " + unit);
+        }
+        if (error != std::errc()) {
+            throw wrong(column, in_quotes(field) + " is too large or too small for a number; write one in " + unit);
+        }
+        return value;
+    }
+
+    /// A column that repeats what others say must not contradict them.
+    void check_agreement(const Car& car, const std::string& column, const std::string& others) const {
+        const std::optional<std::size_t> place = find(column);
+        if (!place || fields_[*place].empty()) {
+            return;
+        }
+        const double right = repeated(car, column);
+        if (!(std::abs(number(*place) - right) <= agreement * right)) {
+            throw wrong(*place, in_quotes(fields_[*place]) + " does not agree with " + others +
+                                    ", by which it would be " + write(right) +
+                                    "; correct one or leave this field empty");
+        }
+    }
+
+    std::vector<std::string> columns_;
+    std::vector<std::string> fields_;
+    std::size_t line_ = 0;
+    std::map<std::string, std::size_t> lines_;  // of the cars, by their names
+};
+
+std::vector<Car> cars(std::string_view text) {
+    if (text.size() > largest_file) {
+        throw Error("is larger than 100 MB; split the fleet");
+    }
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (text.substr(0, byte_order_mark.size()) == byte_order_mark) {
+        text.remove_prefix(byte_order_mark.size());
+    }
+    Fleet fleet;
+    if (!fleet.next_line(text)) {
+        throw Error("is empty; write a line that names the columns, then a line for each car");
+    }
+    fleet.name_columns();
+    std::vector<Car> cars;
+    while (fleet.next_line(text)) {
+        cars.push_back(fleet.car());
+    }
+    if (cars.empty()) {
+        throw Error("names columns and no cars; write a line for each car");
+    }
+    return cars;
+}
+
+}  // namespace
+
+std::vector<Car> cars_from_csv(std::string_view text, const std::string& source) {
+    try {
+        return cars(text);
+    } catch (const Error& error) {
+        throw Error(source + ": " + error.what());
+    }
+}
+
+std::vector<Car> read_cars(const std::string& path) {
+    return cars_from_csv(read_text(path, largest_file, "give a CSV file of cars"), path);
+}
+
+}  // namespace snug
