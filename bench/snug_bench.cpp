@@ -15,6 +15,7 @@
 
 namespace snug {
 
+void add_atlases();  // atlas_bench.cpp
 void add_batches();  // batch_bench.cpp
 
 namespace {
@@ -164,6 +165,7 @@ int main(int argc, char** argv) {
     }
     snug::add_all();
     snug::add_batches();
+    snug::add_atlases();
     snug::WithRatios reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     benchmark::Shutdown();

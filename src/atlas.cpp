@@ -75,6 +75,38 @@ bool options_possible(const Head& head) noexcept {
            possible(head.min_range) && possible(head.clearance);
 }
 
+/// Where the parts of a file of `size` bytes begin; they lie in it, so that size_t holds them.
+struct Layout {
+    std::size_t names_at;
+    std::size_t widths_at;
+    std::size_t lengths_at;
+    std::size_t blocks_at;
+    std::size_t index_at;
+    std::size_t blocks;
+};
+
+std::optional<Layout> layout(const Head& head, std::uint64_t size) noexcept {
+    // Every factor and summand is below 2^40 where it is used, or no more than the size, so that nothing overflows.
+    const std::uint64_t rows = std::uint64_t{head.cars} * head.widths;
+    if (rows == 0 || head.lengths == 0 || head.lengths > most_cells / rows || head.name_bytes > size ||
+        !std::has_single_bit(head.cells_per_block))
+        return std::nullopt;
+    const std::uint64_t blocks = (rows * head.lengths + head.cells_per_block - 1) / head.cells_per_block;
+    const std::uint64_t names_at = sizeof(Head) + head.cars * std::uint64_t{sizeof(CarEntry)};
+    const std::uint64_t widths_at = names_at + padded(head.name_bytes);
+    const std::uint64_t lengths_at = widths_at + head.widths * std::uint64_t{sizeof(double)};
+    const std::uint64_t blocks_at = lengths_at + head.lengths * std::uint64_t{sizeof(double)};
+    const std::uint64_t behind_blocks = blocks * sizeof(IndexEntry) + sizeof(Trailer);
+    if (blocks_at > size || behind_blocks > size - blocks_at) return std::nullopt;
+    const auto in_memory = [](std::uint64_t value) { return static_cast<std::size_t>(value); };
+    return Layout{in_memory(names_at),
+                  in_memory(widths_at),
+                  in_memory(lengths_at),
+                  in_memory(blocks_at),
+                  in_memory(size - behind_blocks),
+                  in_memory(blocks)};
+}
+
 /// Whether these bytes are a cell's record, and nothing but that.
 bool is_record(std::span<const std::byte> bytes) noexcept {
     if (bytes.size() < sizeof(Record)) return false;
@@ -170,38 +202,23 @@ void Atlas::open(const std::string& name) {
         throw refusal(name, ends + "but says it has " + std::to_string(trailer.file_bytes) +
                                 "; it was cut short or added to: copy it again");
 
-    // Each size is compared with the file's before it is added to the next one, so that none overflows.
     const auto head = load<Head>(bytes_.data());
-    const Error damaged = refusal(name, "its first part is damaged: copy it again");
-    const std::uint64_t rows = std::uint64_t{head.cars} * head.widths;
-    if (rows == 0 || head.lengths == 0 || head.lengths > most_cells / rows || head.name_bytes > size ||
-        !std::has_single_bit(head.cells_per_block))
-        throw damaged;
-    const std::uint64_t cells = rows * head.lengths;
-    const int block_bits = std::countr_zero(head.cells_per_block);
-    const std::uint64_t blocks = (cells + head.cells_per_block - 1) >> block_bits;
-    const std::uint64_t names_at = sizeof(Head) + head.cars * std::uint64_t{sizeof(CarEntry)};
-    const std::uint64_t widths_at = names_at + padded(head.name_bytes);
-    const std::uint64_t lengths_at = widths_at + head.widths * std::uint64_t{sizeof(double)};
-    const std::uint64_t blocks_at = lengths_at + head.lengths * std::uint64_t{sizeof(double)};
-    const std::uint64_t index_bytes = blocks * sizeof(IndexEntry);
-    if (blocks_at + index_bytes + sizeof(Trailer) > size) throw damaged;
-    const std::uint64_t index_at = size - sizeof(Trailer) - index_bytes;
-    if (trailer.index_at != index_at) throw damaged;
-    // All of them lie in memory now, so that size_t holds them.
-    if (trailer.front_checksum != checksum(bytes_.first(static_cast<std::size_t>(blocks_at)))) throw damaged;
-    const auto index = bytes_.subspan(static_cast<std::size_t>(index_at), static_cast<std::size_t>(index_bytes));
+    const std::optional<Layout> parts = layout(head, size);
+    if (!parts || parts->index_at != trailer.index_at ||
+        trailer.front_checksum != checksum(bytes_.first(parts->blocks_at)))
+        throw refusal(name, "its first part is damaged: copy it again");
+    const std::span<const std::byte> index = bytes_.subspan(parts->index_at, parts->blocks * sizeof(IndexEntry));
     if (trailer.index_checksum != checksum(index)) throw refusal(name, "its index is damaged: copy it again");
 
     cars_ = head.cars;
     widths_ = head.widths;
     lengths_ = head.lengths;
-    blocks_ = static_cast<std::size_t>(blocks);
-    block_bits_ = block_bits;
-    names_ = bytes_.data() + names_at;
-    width_values_ = bytes_.data() + widths_at;
-    length_values_ = bytes_.data() + lengths_at;
-    first_block_ = bytes_.data() + blocks_at;
+    blocks_ = parts->blocks;
+    block_bits_ = std::countr_zero(head.cells_per_block);
+    names_ = bytes_.data() + parts->names_at;
+    width_values_ = bytes_.data() + parts->widths_at;
+    length_values_ = bytes_.data() + parts->lengths_at;
+    first_block_ = bytes_.data() + parts->blocks_at;
     index_ = index.data();
 
     // What is left can only be wrong if it was written so.
