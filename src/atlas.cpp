@@ -325,6 +325,7 @@ std::optional<AtlasCell> Atlas::cell(std::size_t car, std::size_t width, std::si
     found.record_ = begin + load<std::uint32_t>(begin + in_block * sizeof(std::uint32_t));
     found.length_ = this->length(length);
     found.width_ = this->width(width);
+    found.enter_ = options_.enter;
     found.max_steer_ = car_entry(bytes_, car).max_steer;
     const auto record = load<Record>(found.record_);
     found.direction_changes_ = record.direction_changes;
@@ -403,15 +404,29 @@ AtlasMove AtlasCell::move(std::size_t i) const noexcept {
 }
 
 Maneuver maneuver(const AtlasCell& cell, const Car& car, const Slot& slot) {
+    // The stored slot lies in the real one with its entry corner on that one's. What it lacks, it lacks at the other end.
+    const bool backward = cell.enter() == Enter::backward;
+    const auto is_there = [&](Obstacle obstacle) {
+        switch (obstacle) {
+            case Obstacle::curb: return cell.width() == slot.width();
+            case Obstacle::front_side:
+            case Obstacle::front_corner: return backward || cell.length() == slot.length();
+            case Obstacle::rear_side:
+            case Obstacle::rear_corner: break;
+        }
+        return !backward || cell.length() == slot.length();
+    };
     Maneuver driven{car, {}};
-    Pose pose = slot.to_world(cell.entry());
+    Pose entry = cell.entry();
+    if (!backward) entry.x -= slot.length() - cell.length();
+    Pose pose = slot.to_world(entry);
     for (std::size_t i = 0; i < cell.moves(); ++i) {
         const AtlasMove stored = cell.move(i);
         Move move;
         move.direction = stored.direction;
         move.steering_angle = slot.mirrored(stored.steering_angle);
         move.length = stored.length;
-        move.contact = stored.contact;
+        if (stored.contact && is_there(stored.contact->obstacle)) move.contact = stored.contact;
         if (move.contact && slot.side() == Side::left) move.contact->part = mirrored(move.contact->part);
         move.start = pose;
         move.end = pose = drive(car, move.start, move.direction, move.steering_angle, move.length);

@@ -47,6 +47,9 @@ class AtlasCell {
 public:
     [[nodiscard]] double length() const noexcept { return length_; }  ///< of the stored slot [m]
     [[nodiscard]] double width() const noexcept { return width_; }    ///< of the stored slot [m]
+    /// Which way the car goes in. Nose first, poses are those of the stored slot, whose rear corner is to be taken for the real
+    /// one's; maneuver() does so.
+    [[nodiscard]] Enter enter() const noexcept { return enter_; }
     /// The fewest; empty when no maneuver was found.
     [[nodiscard]] std::optional<int> direction_changes() const noexcept;
     /// No maneuver has fewer in the stored slot; 0 where nothing is proved, as with full steering alone.
@@ -69,6 +72,7 @@ private:
     double length_ = 0.0;
     double width_ = 0.0;
     double max_steer_ = 0.0;
+    Enter enter_ = Enter::backward;
     int direction_changes_ = -1;
     int lower_bound_ = 0;
     bool proved_ = false;
@@ -161,7 +165,8 @@ private:
     std::unique_ptr<std::atomic<Block>[]> states_;
 };
 
-/// The stored maneuver with its poses, in the world of a slot (of any size) it is driven in.
+/// The stored maneuver with its poses, in the world of a slot no smaller than the stored one, and driven from its entry corner
+/// as it is stored: contacts that only the stored slot has are left out. No moves when none are stored.
 Maneuver maneuver(const AtlasCell& cell, const Car& car, const Slot& slot);
 
 }  // namespace snug
