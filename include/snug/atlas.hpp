@@ -65,13 +65,14 @@ public:
 
 private:
     friend class Atlas;
-    const std::byte* record_ = nullptr;
+    const std::byte* body_ = nullptr;
     double length_ = 0.0;
     double width_ = 0.0;
     double max_steer_ = 0.0;
     int direction_changes_ = -1;
     int lower_bound_ = 0;
     bool proved_ = false;
+    bool angles_stored_ = false;
     std::uint32_t ranges_ = 0;
     std::uint32_t moves_ = 0;
 };
