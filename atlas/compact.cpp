@@ -143,6 +143,7 @@ Record append_body(std::string& bodies, const CellAnswer& answer, double max_ste
     record.ranges = static_cast<std::uint32_t>(answer.ranges.size());
     record.moves = static_cast<std::uint32_t>(answer.moves.size());
     record.flags = (answer.proved ? proved : 0U) | (angles ? angles_stored : 0U);
+    record.body_at = static_cast<std::uint32_t>(bodies.size());  // among the bodies; that it fits is seen in the end
 
     if (!answer.moves.empty())
         for (const double value : {answer.entry.x, answer.entry.y, answer.entry.heading}) append(bodies, value);
@@ -216,9 +217,7 @@ void AtlasWriter::add(const CellAnswer& answer) {
     if (state.added == state.cells) throw std::logic_error("AtlasWriter::add() after the last cell");
     if (!answer.moves.empty() && !answer.direction_changes)
         throw std::logic_error("AtlasWriter::add() of moves without their direction changes");
-    const auto body_at = static_cast<std::uint32_t>(state.bodies.size());  // write_block() sees to it that it fits
     state.records.push_back(append_body(state.bodies, answer, state.max_steers[state.added / state.cells_of_a_car]));
-    state.records.back().body_at = body_at;
     if (++state.added % state.cells_per_block == 0 || state.added == state.cells) state.write_block();
 }
 

@@ -1,9 +1,10 @@
 // The reader of exported atlases. Opening reads the front part and the index of the mapped file; a look-up is two binary
-// searches for the stored slot, an index entry, and the record it leads to, which is what one waits for: it lies
-// anywhere in the file, at the price of one access to memory.
+// searches for the stored slot, an index entry, and the record it leads to. The record is what one waits for: it may lie
+// anywhere in memory, all else in a cache.
 //
 // Nothing in a file is trusted. The front part is checked on opening; a block is checked as a whole before anything in it
-// is used, first its checksum and then that its records lie in it, so that look-ups need no further checks.
+// is used, first its checksum and then that its records and their bodies are what they should be, so that look-ups need no further
+// checks.
 #include "snug/atlas.hpp"
 
 #include <fcntl.h>
@@ -12,7 +13,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cerrno>
 #include <cmath>
@@ -33,6 +33,8 @@ using namespace atlas_format;
 constexpr int most_changes = 200;  // where no maximum is given, as in entry() and fewest()
 
 Error refusal(const std::string& name, const std::string& why) { return Error(name + ": " + why); }
+
+std::string quoted(const std::string& path) { return '"' + printable(path) + '"'; }
 
 Error unreadable(const std::string& name, int reason) {
     return refusal(name, "cannot be read: " + std::generic_category().message(reason) +
@@ -89,7 +91,7 @@ struct Layout {
 };
 
 std::optional<Layout> layout(const Head& head, std::uint64_t size) noexcept {
-    // Every factor and summand is below 2^40 where it is used, or no more than the size, so that nothing overflows.
+    // Nothing overflows: counts are below 2^32, cells and blocks at most 2^40, and the names no longer than the file.
     const std::uint64_t rows = std::uint64_t{head.cars} * head.widths;
     if (rows == 0 || head.lengths == 0 || head.lengths > most_cells / rows || head.name_bytes > size ||
         !std::has_single_bit(head.cells_per_block))
@@ -110,14 +112,13 @@ std::optional<Layout> layout(const Head& head, std::uint64_t size) noexcept {
                   in_memory(blocks)};
 }
 
-/// Whether a cell's answer is one that can be read, its body being all of these bytes.
-bool readable(const Record& record, std::span<const std::byte> body) noexcept {
+/// Whether a cell's answer is one that can be read.
+bool readable(const Record& record, const std::byte* codes) noexcept {
     if (record.direction_changes < (record.moves > 0 ? 0 : -1) || record.lower_bound < 0) return false;
-    const bool angles = (record.flags & angles_stored) != 0;
-    const std::byte* const codes = body.data() + body_parts(record.ranges, record.moves, angles).codes;
     return std::all_of(codes, codes + record.moves, [&](std::byte byte) {
         const auto code = std::to_integer<std::uint8_t>(byte);
-        return (code & contact_bits) <= most_contact && (angles || steering_in(code) != Steering::stored);
+        return (code & contact_bits) <= most_contact &&
+               (steering_in(code) != Steering::stored || (record.flags & angles_stored) != 0);
     });
 }
 
@@ -127,11 +128,10 @@ bool holds_cells(std::span<const std::byte> block, std::uint64_t count) noexcept
     if (at > block.size()) return false;
     for (std::size_t i = 0; i < count; ++i) {
         const auto record = load<Record>(block.data() + i * sizeof(Record));
-        const std::uint64_t size = body_parts(record.ranges, record.moves, (record.flags & angles_stored) != 0).end;
-        if (record.body_at != at || size > block.size() - at) return false;
-        if (!readable(record, block.subspan(static_cast<std::size_t>(at), static_cast<std::size_t>(size))))
-            return false;
-        at += size;
+        const BodyParts parts = body_parts(record.ranges, record.moves, (record.flags & angles_stored) != 0);
+        if (record.body_at != at || parts.end > block.size() - at) return false;
+        if (!readable(record, block.data() + at + parts.codes)) return false;
+        at += parts.end;
     }
     return at == block.size();
 }
@@ -141,7 +141,7 @@ bool holds_cells(std::span<const std::byte> block, std::uint64_t count) noexcept
 // Opening.
 
 Atlas::Atlas(const std::string& path) : mapped_(map(path)), bytes_(mapped_.get(), mapped_.get_deleter().bytes) {
-    open(in_quotes(path));
+    open(quoted(path));
 }
 
 Atlas::Atlas(std::span<const std::byte> bytes) : bytes_(bytes) { open("the atlas in memory"); }
@@ -151,7 +151,7 @@ void Atlas::Unmap::operator()(const std::byte* mapped) const noexcept {
 }
 
 Atlas::Mapped Atlas::map(const std::string& path) {
-    const std::string name = in_quotes(path);
+    const std::string name = quoted(path);
     struct File {
         int descriptor;
         ~File() { ::close(descriptor); }

@@ -79,9 +79,9 @@ private:
 
 /// What an atlas says of a slot.
 enum class AtlasVerdict {
-    parks,         ///< with the maneuver of `cell`
-    cannot_park,   ///< full steering does not in exactly this stored slot, or none as large can, which is proved
-    undecided,     ///< the stored slot below is too small, and nothing is proved of the slot asked for
+    parks,        ///< with the maneuver of `cell`
+    cannot_park,  ///< max_steer: this very slot is stored and nothing parks; fewest: proved, of this slot or a larger one
+    undecided,    ///< the stored slot below is too small, and nothing is proved of the slot asked for
     outside_grid,  ///< shorter, longer, narrower or wider than every stored slot, or not a number
     no_such_car,   ///< the atlas has not so many cars
     damaged,       ///< a part of the file that is needed for the answer is damaged
@@ -162,7 +162,8 @@ private:
     std::unique_ptr<std::atomic<Block>[]> states_;
 };
 
-/// The stored maneuver with its poses, in the world of a slot (of any size) it is driven in.
+/// The stored maneuver with its poses, in the world of a slot it is driven in. That may be larger than the stored one;
+/// contacts are still those of the stored one.
 Maneuver maneuver(const AtlasCell& cell, const Car& car, const Slot& slot);
 
 }  // namespace snug
