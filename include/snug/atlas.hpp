@@ -68,7 +68,7 @@ public:
 
 private:
     friend class Atlas;
-    const std::byte* record_ = nullptr;
+    const std::byte* body_ = nullptr;
     double length_ = 0.0;
     double width_ = 0.0;
     double max_steer_ = 0.0;
@@ -76,15 +76,16 @@ private:
     int direction_changes_ = -1;
     int lower_bound_ = 0;
     bool proved_ = false;
+    bool angles_stored_ = false;
     std::uint32_t ranges_ = 0;
     std::uint32_t moves_ = 0;
 };
 
 /// What an atlas says of a slot.
 enum class AtlasVerdict {
-    parks,         ///< with the maneuver of `cell`
-    cannot_park,   ///< full steering does not in exactly this stored slot, or none as large can, which is proved
-    undecided,     ///< the stored slot below is too small, and nothing is proved of the slot asked for
+    parks,        ///< with the maneuver of `cell`
+    cannot_park,  ///< max_steer: this very slot is stored and nothing parks; fewest: proved, of this slot or a larger one
+    undecided,    ///< the stored slot below is too small, and nothing is proved of the slot asked for
     outside_grid,  ///< shorter, longer, narrower or wider than every stored slot, or not a number
     no_such_car,   ///< the atlas has not so many cars
     damaged,       ///< a part of the file that is needed for the answer is damaged
