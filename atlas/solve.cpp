@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "cores.hpp"
 #include "snug/atlas_database.hpp"
 #include "snug/entry.hpp"
 #include "snug/fewest.hpp"
@@ -88,7 +89,7 @@ void solve_all(const AtlasPlan& plan, const CellDesk& desk, int threads, const s
         solved.cells = std::move(batch);
         return solved;
     };
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(threads_at_once(threads));
     arena.execute([&] {
         const auto at_once =
             static_cast<std::size_t>(2 * arena.max_concurrency());  // nobody waits, and memory is bounded

@@ -6,6 +6,8 @@
 
 #include <mutex>
 
+#include "cores.hpp"
+
 namespace snug::paper {
 
 void Work::stage(double ends) {
@@ -32,7 +34,7 @@ void Work::each(std::size_t tasks, const std::function<void(std::size_t)>& task)
         const std::lock_guard lock(mutex);
         tell(static_cast<double>(++finished) / static_cast<double>(tasks));
     };
-    tbb::task_arena arena(options_.threads > 0 ? options_.threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(threads_at_once(options_.threads));
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, tasks, one, tbb::simple_partitioner{}, context); });
 }
 

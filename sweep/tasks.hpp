@@ -9,6 +9,7 @@
 #include <functional>
 #include <mutex>
 
+#include "cores.hpp"
 #include "snug/sweep.hpp"
 
 namespace snug {
@@ -39,7 +40,7 @@ private:
 /// Calls `answer(task)` for all tasks from 0 on, each a task of its own; none begins once the asker has given up.
 template <class Answer>
 void on_all_cores(std::size_t tasks, const SweepOptions& sweep, const Progress& progress, const Answer& answer) {
-    tbb::task_arena arena(sweep.threads > 0 ? sweep.threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(threads_at_once(sweep.threads));
     arena.execute([&] {
         tbb::parallel_for(
             std::size_t{0}, tasks,
