@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -226,6 +227,59 @@ TEST(HostileAtlas, WithRightChecksumsReadsNothingOutside) {
     EXPECT_GT(opened, cases / 5);
     EXPECT_GT(damaged, cases / 20);
     EXPECT_NE(sum, 1.0);  // so that it is computed
+}
+
+TEST(HostileAtlas, IsToldWhatIsImpossible) {
+    AtlasPlan plan = {{*find_car("mid-size"), *find_car("renault-zoe")}, {2.0, 2.1}, {5.0, 5.1, 5.2}, {}};
+    CellAnswer one_move;
+    one_move.direction_changes = 0;
+    one_move.moves.push_back({Direction::backward, plan.cars[0].max_steer(), 1.0, {}});
+    const std::string whole = written(plan, std::vector<CellAnswer>(12, one_move));
+    const Trailer trailer = load<Trailer>(as_bytes(whole).last(sizeof(Trailer)).data());
+    const std::uint64_t first_car = sizeof(Head);
+    const std::uint64_t widths =
+        first_car + 2 * sizeof(CarEntry) + padded(std::string_view("mid-sizerenault-zoe").size());
+    const std::uint64_t blocks = widths + 5 * sizeof(double);
+    ASSERT_EQ(load<double>(as_bytes(whole).data() + widths), 2.0);
+    const auto with = [&](std::uint64_t at, const auto& value) {
+        std::string bytes = whole;
+        std::memcpy(bytes.data() + at, &value, sizeof(value));
+        reseal(bytes);
+        return bytes;
+    };
+    const auto said = [&](std::uint64_t at, const auto& value) {
+        const Exact exact(with(at, value));
+        return refusal([&] { Atlas{exact.bytes()}; });
+    };
+    const auto has = [](const std::string& sentence, const std::string& words) {
+        EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+    };
+    constexpr std::uint32_t huge = 0xffffffff;
+    EXPECT_FALSE(detected(with(0, 's')));
+    has(said(offsetof(Head, lengths), huge), "its first part is damaged");
+    has(said(offsetof(Head, cars), 0U), "its first part is damaged");
+    has(said(offsetof(Head, cells_per_block), 3U), "its first part is damaged");
+    has(said(offsetof(Head, cells_per_block), 1U), "its first part is damaged");
+    has(said(offsetof(Head, strategy), 2U), "holds impossible options");
+    has(said(offsetof(Head, clearance), -1.0), "holds impossible options");
+    has(said(first_car + offsetof(CarEntry, name_bytes), huge), "has a car without its name");
+    has(said(first_car + offsetof(CarEntry, name_at), 12U), "has a car without its name");
+    has(said(first_car + sizeof(CarEntry) + offsetof(CarEntry, name_at), 3U), "its cars are not in order");
+    has(said(widths, 2.2), "its widths do not rise");
+    has(said(widths + 3 * sizeof(double), std::numeric_limits<double>::quiet_NaN()), "its lengths do not rise");
+
+    const auto lost = [&](std::uint64_t at, const auto& value) { return detected(with(at, value)); };
+    const std::uint64_t first_body = blocks + 12 * sizeof(Record);
+    const std::uint64_t first_code = first_body + body_parts(0, 1, false).codes;
+    EXPECT_TRUE(lost(blocks + offsetof(Record, direction_changes), -1)) << "moves without their count";
+    EXPECT_TRUE(lost(blocks + offsetof(Record, moves), huge));
+    EXPECT_TRUE(lost(blocks + offsetof(Record, ranges), huge));
+    EXPECT_TRUE(lost(blocks + offsetof(Record, body_at), huge));
+    EXPECT_TRUE(lost(first_code, std::uint8_t{41})) << "no such contact";
+    EXPECT_FALSE(lost(first_code, std::uint8_t{40}));
+    EXPECT_TRUE(lost(first_code, std::uint8_t{3 << 6})) << "a stored angle where none is";
+    EXPECT_TRUE(lost(trailer.index_at, std::uint64_t{0})) << "a block in the front part";
+    EXPECT_TRUE(lost(trailer.index_at, trailer.file_bytes)) << "a block behind the file";
 }
 
 TEST(ForeignFile, IsRefusedWithAReason) {
