@@ -118,7 +118,7 @@ Action parse_atlas_build(const Arguments& arguments, const Build& build) {
     Options options("snug atlas build", purpose, examples);
     add_db(options, "The database, made if it is missing.");
     options.add(
-        "--cars", "LIST",
+        "--cars", "CARS",
         "all, or names that `snug cars` lists, car files, or\na CSV file as `snug cars --format csv` prints it.");
     options.add("--width", "RANGE", "Widths of slots [m].");
     options.add("--length", "RANGE", "Lengths of slots [m].");

@@ -204,7 +204,7 @@ Action parse_atlas_query(const Arguments& arguments) {
     Options options("snug atlas query", purpose, examples);
     add_db(options, "The atlas: a database, or an exported file.");
     options.group("Car");
-    options.add("--car", "NAME", "A name of the atlas.");
+    options.add("--car", "CAR", "A name of the atlas.");
     add_slot(options);
     add_output(options);
     if (!options.read(arguments)) return say(options.help());

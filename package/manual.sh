@@ -3,13 +3,16 @@
 set -eu
 snug=$1
 
-{
-    "$snug" --help
-    for command in $("$snug" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z-]*\) .*/\1/p'); do
-        printf '\f%s\n' "$command"
-        "$snug" "$command" --help
+# What a command says of itself, then what the commands below it say.
+tell() { # WORDS
+    [ -z "$1" ] || printf '\f%s\n' "$1"
+    "$snug" $1 --help
+    for command in $("$snug" $1 --help | sed -n '/^Commands:/,/^$/s/^  \([a-z-]*\) .*/\1/p'); do
+        tell "${1:+$1 }$command"
     done
-} | awk -v version="$("$snug" --version)" '
+}
+
+tell "" | awk -v version="$("$snug" --version)" '
     # Hides what means something to troff.
     function plain(text) {
         gsub(/\\/, "\\e", text)
@@ -31,8 +34,8 @@ snug=$1
         print ".TH SNUG 1 \"\" \"" version "\"\n.SH NAME\nsnug \\- " plain(substr($0, 7)) "\n.SH SYNOPSIS"
         next
     }
-    /^\f/ { heading(".SH", toupper("snug " substr($0, 2))); next }
-    /^Commands:$/ { heading(".SH", "COMMANDS"); next }
+    /^\f/ { inside = 1; heading(".SH", toupper("snug " substr($0, 2))); next }
+    /^Commands:$/ && !inside { heading(".SH", "COMMANDS"); next }
     /^[A-Z][A-Za-z ]*:$/ { heading(".SS", substr($0, 1, length($0) - 1)); next }
     /^Usage: / { print ".B " plain(substr($0, 8)); next }
     /^$/ { keep_lines(0); print ".PP"; next }

@@ -28,7 +28,7 @@ with_cmake() {
     cmake --build "$build/consumer"
     same "core" "$("$build/consumer/core")" "$answer"
     "$build/consumer/layers"
-    for wrong in "1.0" "0.1 COMPONENTS atlas"; do
+    for wrong in "1.0" "0.1 COMPONENTS streets"; do
         mkdir -p "$build/consumer/wrong"
         printf '%s\n' "cmake_minimum_required(VERSION 3.25)" "project(wrong LANGUAGES CXX)" \
             "find_package(snug $wrong REQUIRED)" >"$build/consumer/wrong/CMakeLists.txt"
@@ -43,12 +43,18 @@ with_pkg_config() {
     c++ -std=c++20 "$source/tests/consumer/core.cpp" $(pkg-config --cflags --libs snug) -o consumer_core
     same "core" "$(./consumer_core)" "$answer"
     c++ -std=c++20 "$source/tests/consumer/layers.cpp" \
-        $(pkg-config --cflags --libs snug-io snug-sweep snug-draw) -o consumer_layers
+        $(pkg-config --cflags --libs snug-io snug-sweep snug-draw snug-atlas) -o consumer_layers
     ./consumer_layers
     same "version" "$(pkg-config --modversion snug)" "$("$snug" --version | cut -d' ' -f2)"
 }
 
-commands() { "$snug" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z-]*\) .*/\1/p'; }
+commands() { "$snug" $1 --help | sed -n '/^Commands:/,/^$/s/^  \([a-z-]*\) .*/\1/p'; }
+all_commands() { # a line each, those below others behind them
+    for command in $(commands ""); do
+        echo "$command"
+        for below in $(commands "$command"); do echo "$command $below"; done
+    done
+}
 
 # The page says all that the command says of itself, and troff has nothing to say about it.
 manual() {
@@ -57,7 +63,7 @@ manual() {
     words() { tr -s ' \n' '\n\n' | sed '/^Usage:$/d'; }
     same "words" "$(sed '/^\.TH/d; /^\.SH \(NAME\|SYNOPSIS\|SNUG\)/d; s/^\.[A-Za-z]*//; s/\\-/-/g
                          s/\\&//; s/\\e/\\/g; s/^ *COMMANDS$/Commands/; s/snug - an/snug: an/' "$page" | words)" \
-        "$( ("$snug" --help; for command in $(commands); do "$snug" "$command" --help; done) |
+        "$( ("$snug" --help; all_commands | while read -r command; do "$snug" $command --help; done) |
             sed 's/^\([A-Z][A-Za-z ]*\):$/\1/' | words)"
 }
 
@@ -77,10 +83,11 @@ in_zsh() {
 completions() {
     local question="--car mid-size --length 5.1 --width 2.2"
     for shell in in_bash in_zsh; do
-        same "$shell: commands" "$($shell "" | sort)" "$( (commands; echo --help; echo --version) | sort)"
-        for command in $(commands); do
-            same "$shell: options of $command" "$($shell "$command" -- | sort)" \
-                "$("$snug" "$command" --help | grep -o -e '^  \(-.,\)\?--[a-z-]*' | sed 's/.*--/--/' | sort)"
+        same "$shell: commands" "$($shell "" | sort)" "$( (commands ""; echo --help; echo --version) | sort)"
+        same "$shell: commands below" "$($shell atlas "" | sort)" "$( (commands atlas; echo --help) | sort)"
+        all_commands | grep -vx atlas | while read -r command; do
+            same "$shell: options of $command" "$($shell $command -- | sort)" \
+                "$("$snug" $command --help | grep -o -e '^  \(-.,\)\?--[a-z-]*' | sed 's/.*--/--/' | sort)"
         done
         while read -r words; do
             same "$shell: $words" "$($shell $words "" | sort)" \
@@ -95,8 +102,11 @@ completions() {
             min-slot $question --strategy
             min-slot $question --format
             cars --format
+            atlas build --db x --cars all --width 2 --length 5 --strategy
 END
         same "$shell: leave --format" "$($shell leave --format "" | xargs)" "text json"
+        same "$shell: atlas query --format" "$($shell atlas query --format "" | xargs)" "text json"
+        same "$shell: atlas build --cars" "$($shell atlas build --cars "" | grep -e all -e zoe | xargs)" "all renault-zoe"
         same "$shell: cars" "$($shell cars "" | grep zoe)" renault-zoe
         same "$shell: cars" "$($shell entry --car "" | grep zoe)" renault-zoe
         same "$shell: a number" "$($shell entry --length "")" ""
@@ -108,7 +118,7 @@ deb() {
     (cd "$build" && cpack -G DEB -B "$build/deb" >/dev/null)
     local deb=$(ls "$build"/deb/*.deb)
     dpkg-deb --info "$deb"
-    for wanted in libc6 libcairo2 libtbb12 libhwy1 libhwy-dev; do
+    for wanted in libc6 libcairo2 libsqlite3-0 libtbb12 libhwy1 libhwy-dev; do
         dpkg-deb --field "$deb" Depends | grep -q "\b$wanted\b" || fail "does not depend on $wanted"
     done
     same "version" "$(dpkg-deb --field "$deb" Version)" "$("$build/snug" --version | cut -d' ' -f2)"

@@ -182,7 +182,7 @@ TEST(Atlas, WithoutRoomItKeepsWhatThereIs) {
     const Folder folder;
     const std::string file = folder.file("a.sqlite");
     const std::string grid = "atlas build --db " + file + " --cars all --width 2:2.3:0.1 --length 5:6:0.005";
-    for (const rlim_t room : {0, 1000, 50'000, 150'000}) {
+    for (const rlim_t room : {1000, 50'000, 150'000}) {
         const Result full = run_with_room(grid, room);
         EXPECT_EQ(full.exit_code, 2);
         EXPECT_EQ(std::count(full.err.begin(), full.err.end(), '\n'), 1) << full.err;

@@ -68,8 +68,11 @@ void expect_alike(const std::string& printed, const std::string& shown, const st
     }
 }
 
-/// Commands with their outputs.
+/// Commands with their outputs, in a folder of their own.
 void check_console(const std::string& text, const std::string& where) {
+    const Folder folder;
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.file(""));
     std::string command;
     std::string output;
     std::istringstream lines(text);
@@ -79,7 +82,6 @@ void check_console(const std::string& text, const std::string& where) {
         if (command.rfind("cat ", 0) == 0) {
             const std::string file = command.substr(4);
             expect_alike(contents(file), output, what);
-            std::filesystem::remove(file);
         } else {
             ASSERT_EQ(command.rfind("snug ", 0), 0U) << what;
             expect_alike(run(command.substr(5)).out, output, what);
@@ -96,6 +98,7 @@ void check_console(const std::string& text, const std::string& where) {
     }
     EXPECT_NE(command, "") << where << " has a console block without a command: " << text;
     expect();
+    std::filesystem::current_path(before);
 }
 
 /// Everything below these folders and files, one after the other.
@@ -168,6 +171,28 @@ TEST(Docs, ShowWhatReallyWorks) {
     check(root / "README.md");
     for (const auto& entry : std::filesystem::directory_iterator(root / "docs"))
         if (entry.path().extension() == ".md") check(entry.path());
+}
+
+// docs/atlas.md asks the database some questions, set off by four spaces.
+TEST(Docs, TheAtlasAnswersTheQuestionsShown) {
+    const Folder folder;
+    const std::string database = folder.file("two.sqlite");
+    run("atlas build --cars renault-zoe,opel-corsa --width 1.8:2.2:0.1 --length 4.4:5.2:0.1 --db " + database);
+    std::istringstream lines(contents(root / "docs/atlas.md"));
+    std::string question;
+    int asked = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("    SELECT ", 0) != 0 && question.empty()) continue;
+        question += line + '\n';
+        if (line.back() != ';') continue;
+        const std::string ask = "sqlite3 -bail " + database + " <" + folder.with("question", question) + " >" +
+                                folder.file("answer") + " 2>&1";
+        EXPECT_EQ(std::system(ask.c_str()), 0) << question << contents(folder.file("answer"));
+        EXPECT_NE(contents(folder.file("answer")), "") << question;
+        question.clear();
+        ++asked;
+    }
+    EXPECT_GT(asked, 0);
 }
 
 TEST(Docs, TheReadmesExampleIsTheFirstOne) {

@@ -1,4 +1,5 @@
 // A program that links everything installed.
+#include <snug/atlas_database.hpp>
 #include <snug/draw.hpp>
 #include <snug/io.hpp>
 #include <snug/snug.hpp>
@@ -12,6 +13,7 @@ int main() {
         R"({"width": 1.8, "front": 3.6, "rear": 0.8, "wheelbase": 2.6, "curb_to_curb": 10.9})", "a data sheet");
     const snug::Slot slot({.length = 5.0, .width = 2.1});
     const std::string picture = snug::draw_maneuver(car, slot, snug::entry(car, slot), snug::PictureFormat::svg);
-    std::cout << snug::min_lengths(car, {2.0, 2.2}, {1, 2}).size() << " slots, a picture that begins with "
+    const std::string nothing = snug::solve(car, 2.1, 5.0, {})->direction_changes ? "" : "out";
+    std::cout << "with" << nothing << " an answer for the atlas, " << snug::min_lengths(car, {2.0, 2.2}, {1, 2}).size() << " slots, a picture that begins with "
               << picture.substr(0, 5) << ", a car that is " << snug::as_json(car)["width"] << " m wide\n";
 }
