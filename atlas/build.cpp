@@ -105,12 +105,12 @@ void check_goes_together(const StoredPlan& stored, const AtlasPlan& plan, const 
         const auto kept = [&](double size) { return std::find(sizes.begin(), sizes.end(), size) != sizes.end(); };
         const auto lost = std::find_if_not(old.begin(), old.end(), kept);
         if (lost != old.end())
-            throw Error(file + " has slots of " + std::to_string(old.size()) + " " + what + ", " + extent(old) +
-                        ", and the new ones lack " + spelled(*lost) +
-                        " m; ask for those and more, or build another file");
+            throw Error(file + " has the " + what + ' ' + spelled(*lost) +
+                        " m, which is not among the new ones; ask for all it has, " + extent(old) +
+                        ", and more, or build another file");
     };
-    check_sizes("widths", stored.plan.widths, plan.widths);
-    check_sizes("lengths", stored.plan.lengths, plan.lengths);
+    check_sizes("width", stored.plan.widths, plan.widths);
+    check_sizes("length", stored.plan.lengths, plan.lengths);
     for (const Car& car : plan.cars) {
         const auto same_name = [&](const Car& old) { return old.name() == car.name(); };
         const auto old = std::find_if(stored.plan.cars.begin(), stored.plan.cars.end(), same_name);

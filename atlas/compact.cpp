@@ -132,24 +132,30 @@ std::uint8_t code_of(const AtlasMove& move, double max_steer) {
     return static_cast<std::uint8_t>(contact | static_cast<int>(steering_of(move.steering_angle, max_steer)) << 6);
 }
 
-void append_record(std::string& bytes, const CellAnswer& answer, double max_steer) {
+/// Appends the body and returns the record.
+Record append_body(std::string& bodies, const CellAnswer& answer, double max_steer) {
     const bool angles = std::any_of(answer.moves.begin(), answer.moves.end(), [&](const AtlasMove& move) {
         return steering_of(move.steering_angle, max_steer) == Steering::stored;
     });
-    append(bytes,
-           Record{answer.direction_changes.value_or(-1), answer.lower_bound,
-                  static_cast<std::uint32_t>(answer.ranges.size()), static_cast<std::uint32_t>(answer.moves.size()),
-                  (answer.proved ? proved : 0U) | (angles ? angles_stored : 0U), 0});
+    Record record{};
+    record.direction_changes = answer.direction_changes.value_or(-1);
+    record.lower_bound = answer.lower_bound;
+    record.ranges = static_cast<std::uint32_t>(answer.ranges.size());
+    record.moves = static_cast<std::uint32_t>(answer.moves.size());
+    record.flags = (answer.proved ? proved : 0U) | (angles ? angles_stored : 0U);
+    record.body_at = static_cast<std::uint32_t>(bodies.size());  // among the bodies; that it fits is seen in the end
+
     if (!answer.moves.empty())
-        for (const double value : {answer.entry.x, answer.entry.y, answer.entry.heading}) append(bytes, value);
+        for (const double value : {answer.entry.x, answer.entry.y, answer.entry.heading}) append(bodies, value);
     for (const HeadingRange& range : answer.ranges)
-        append(bytes, RangeEntry{range.min, range.max, range.direction_changes, range.subrange});
+        append(bodies, RangeEntry{range.min, range.max, range.direction_changes, range.subrange});
     for (const AtlasMove& move : answer.moves)
-        append(bytes, std::copysign(move.length, static_cast<double>(move.direction)));
+        append(bodies, std::copysign(move.length, static_cast<double>(move.direction)));
     if (angles)
-        for (const AtlasMove& move : answer.moves) append(bytes, move.steering_angle);
-    for (const AtlasMove& move : answer.moves) append(bytes, code_of(move, max_steer));
-    pad(bytes);
+        for (const AtlasMove& move : answer.moves) append(bodies, move.steering_angle);
+    for (const AtlasMove& move : answer.moves) append(bodies, code_of(move, max_steer));
+    pad(bodies);
+    return record;
 }
 
 }  // namespace
@@ -165,8 +171,8 @@ struct AtlasWriter::State {
     std::uint64_t written = 0;  ///< bytes
     std::uint64_t front_checksum = 0;
     std::string index;
-    std::vector<std::uint64_t> begins;  ///< of the records at hand, and where they end
-    std::string records;                ///< of the block at hand
+    std::vector<Record> records;  ///< of the block at hand
+    std::string bodies;           ///< of the same cells
 
     void write(const std::string& bytes) {
         sink(bytes);
@@ -174,19 +180,21 @@ struct AtlasWriter::State {
     }
 
     void write_block() {
-        const std::uint64_t table_bytes = padded(begins.size() * sizeof(std::uint32_t));
-        if (table_bytes + records.size() > most_bytes)
-            throw Error("a block of " + std::to_string(cells_per_block) +
+        const std::size_t record_bytes = records.size() * sizeof(Record);
+        if (record_bytes + bodies.size() > most_bytes)
+            throw Error("a block of " + std::to_string(records.size()) +
                         " cells is larger than 4 GiB; export some of the cars at a time");
         std::string block;
-        block.reserve(table_bytes + records.size());
-        for (const std::uint64_t begin : begins) append(block, static_cast<std::uint32_t>(table_bytes + begin));
-        pad(block);
-        block += records;
+        block.reserve(record_bytes + bodies.size());
+        for (Record& record : records) {
+            record.body_at += static_cast<std::uint32_t>(record_bytes);
+            append(block, record);
+        }
+        block += bodies;
         append(index, IndexEntry{written, checksum_of(block)});
         write(block);
-        begins.assign(1, 0);
         records.clear();
+        bodies.clear();
     }
 };
 
@@ -196,7 +204,6 @@ AtlasWriter::AtlasWriter(const AtlasPlan& plan, std::string_view made_by, Sink s
     state_->cells_of_a_car = state_->cells / plan.cars.size();
     state_->cells_per_block = cells_per_block(state_->cells);
     for (const Car& car : plan.cars) state_->max_steers.push_back(car.max_steer());
-    state_->begins.assign(1, 0);
     state_->sink = std::move(sink);
     const std::string front = front_part(plan, state_->cells, made_by);
     state_->front_checksum = checksum_of(front);
@@ -210,8 +217,7 @@ void AtlasWriter::add(const CellAnswer& answer) {
     if (state.added == state.cells) throw std::logic_error("AtlasWriter::add() after the last cell");
     if (!answer.moves.empty() && !answer.direction_changes)
         throw std::logic_error("AtlasWriter::add() of moves without their direction changes");
-    append_record(state.records, answer, state.max_steers[state.added / state.cells_of_a_car]);
-    state.begins.push_back(state.records.size());
+    state.records.push_back(append_body(state.bodies, answer, state.max_steers[state.added / state.cells_of_a_car]));
     if (++state.added % state.cells_per_block == 0 || state.added == state.cells) state.write_block();
 }
 

@@ -142,13 +142,20 @@ Asked asked(std::uint64_t number) {
 
 int changes_in_atlas(const Atlas& atlas, const Asked& slot) {
     const AtlasAnswer answer = atlas.look_up(slot.car, slot.length, slot.width);
+    benchmark::DoNotOptimize(answer.verdict);
+    return *answer.cell.direction_changes();
+}
+
+/// And from which headings, from where, and with which first move.
+int all_in_atlas(const Atlas& atlas, const Asked& slot) {
+    const AtlasAnswer answer = atlas.look_up(slot.car, slot.length, slot.width);
     benchmark::DoNotOptimize(answer.cell.range(0));
     benchmark::DoNotOptimize(answer.cell.entry());
     benchmark::DoNotOptimize(answer.cell.move(0));
     return *answer.cell.direction_changes();
 }
 
-int changes_in_rows(const std::vector<Row>& rows, const Asked& slot) {
+int all_in_rows(const std::vector<Row>& rows, const Asked& slot) {
     const auto upper = [&](double width, double length) {
         return std::upper_bound(rows.begin(), rows.end(), std::tuple(slot.car, width, length),
                                 [](const auto& key, const Row& row) {
@@ -203,19 +210,18 @@ void first_use(benchmark::State& state) {
 }  // namespace
 
 void add_atlases() {
-    constexpr std::uint64_t any = 1ULL << 62;
-    for (const auto& [name, slots] : {std::pair{"hot", std::uint64_t{64}}, {"random-of-10-million-cells", any}}) {
-        benchmark::RegisterBenchmark(
-            (std::string("atlas/look-up/") + name).c_str(), [slots = slots](benchmark::State& state) {
-                const Atlas& atlas = checked_atlas();
-                look_up(state, slots, [&](const Asked& slot) { return changes_in_atlas(atlas, slot); });
-            });
-        benchmark::RegisterBenchmark(
-            (std::string("atlas/sorted-array/") + name).c_str(), [slots = slots](benchmark::State& state) {
-                const std::vector<Row>& rows = sorted_rows();
-                look_up(state, slots, [&](const Asked& slot) { return changes_in_rows(rows, slot); });
-            });
-    }
+    const auto add = [](const std::string& strategy, auto answer_from) {
+        constexpr std::uint64_t any = 1ULL << 62;
+        for (const auto& [name, slots] : {std::pair{"hot", std::uint64_t{64}}, {"random-of-10-million-cells", any}})
+            benchmark::RegisterBenchmark(
+                ("atlas/" + strategy + "/" + name).c_str(),
+                [answer_from, slots = slots](benchmark::State& state) { look_up(state, slots, answer_from()); });
+    };
+    add("look-up",
+        [] { return [&atlas = checked_atlas()](const Asked& slot) { return changes_in_atlas(atlas, slot); }; });
+    add("look-up-and-first-move",
+        [] { return [&atlas = checked_atlas()](const Asked& slot) { return all_in_atlas(atlas, slot); }; });
+    add("sorted-array", [] { return [&rows = sorted_rows()](const Asked& slot) { return all_in_rows(rows, slot); }; });
     benchmark::RegisterBenchmark("atlas/open/10-million-cells", open)->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark("atlas/first-use-of-a-block", first_use)->Unit(benchmark::kMicrosecond);
 }

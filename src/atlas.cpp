@@ -1,8 +1,10 @@
 // The reader of exported atlases. Opening reads the front part and the index of the mapped file; a look-up is two binary
-// searches for the stored slot, an index entry, and the record it leads to.
+// searches for the stored slot, an index entry, and the record it leads to. The record is what one waits for: it may lie
+// anywhere in memory, all else in a cache.
 //
 // Nothing in a file is trusted. The front part is checked on opening; a block is checked as a whole before anything in it
-// is used, first its checksum and then that its records lie in it, so that look-ups need no further checks.
+// is used, first its checksum and then that its records and their bodies are what they should be, so that look-ups need no further
+// checks.
 #include "snug/atlas.hpp"
 
 #include <fcntl.h>
@@ -11,7 +13,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cerrno>
 #include <cmath>
@@ -32,6 +33,8 @@ using namespace atlas_format;
 constexpr int most_changes = 200;  // where no maximum is given, as in entry() and fewest()
 
 Error refusal(const std::string& name, const std::string& why) { return Error(name + ": " + why); }
+
+std::string quoted(const std::string& path) { return '"' + printable(path) + '"'; }
 
 Error unreadable(const std::string& name, int reason) {
     return refusal(name, "cannot be read: " + std::generic_category().message(reason) +
@@ -65,6 +68,8 @@ std::optional<Neighbours> neighbours(const std::byte* values, std::size_t count,
     return Neighbours{below, value_at(values, below) == asked ? below : below + 1};
 }
 
+Steering steering_in(std::uint8_t code) noexcept { return static_cast<Steering>(code >> 6); }
+
 CarEntry car_entry(std::span<const std::byte> bytes, std::size_t car) noexcept {
     return load<CarEntry>(bytes.data() + sizeof(Head) + car * sizeof(CarEntry));
 }
@@ -86,7 +91,7 @@ struct Layout {
 };
 
 std::optional<Layout> layout(const Head& head, std::uint64_t size) noexcept {
-    // Every factor and summand is below 2^40 where it is used, or no more than the size, so that nothing overflows.
+    // Nothing overflows: counts are below 2^32, cells and blocks at most 2^40, and the names no longer than the file.
     const std::uint64_t rows = std::uint64_t{head.cars} * head.widths;
     if (rows == 0 || head.lengths == 0 || head.lengths > most_cells / rows || head.name_bytes > size ||
         !std::has_single_bit(head.cells_per_block))
@@ -107,34 +112,28 @@ std::optional<Layout> layout(const Head& head, std::uint64_t size) noexcept {
                   in_memory(blocks)};
 }
 
-/// Whether these bytes are a cell's record, and nothing but that.
-bool is_record(std::span<const std::byte> bytes) noexcept {
-    if (bytes.size() < sizeof(Record)) return false;
-    const Record record = load<Record>(bytes.data());
-    const RecordParts parts = parts_of(record);
-    if (parts.end != bytes.size()) return false;
+/// Whether a cell's answer is one that can be read.
+bool readable(const Record& record, const std::byte* codes) noexcept {
     if (record.direction_changes < (record.moves > 0 ? 0 : -1) || record.lower_bound < 0) return false;
-    const bool angles = (record.flags & angles_stored) != 0;
-    return std::all_of(bytes.data() + parts.codes, bytes.data() + parts.codes + record.moves, [&](std::byte byte) {
+    return std::all_of(codes, codes + record.moves, [&](std::byte byte) {
         const auto code = std::to_integer<std::uint8_t>(byte);
         return (code & contact_bits) <= most_contact &&
-               (angles || Steering{std::uint8_t(code >> 6)} != Steering::stored);
+               (steering_in(code) != Steering::stored || (record.flags & angles_stored) != 0);
     });
 }
 
-bool holds_records(std::span<const std::byte> block, std::uint64_t count) noexcept {
-    const std::uint64_t table = padded((count + 1) * sizeof(std::uint32_t));
-    if (block.size() < table) return false;
-    const auto begin_of = [&](std::uint64_t i) {
-        return load<std::uint32_t>(block.data() + i * sizeof(std::uint32_t));
-    };
-    if (begin_of(0) != table || begin_of(count) != block.size()) return false;
-    for (std::uint64_t i = 0; i < count; ++i) {
-        const std::uint32_t begin = begin_of(i);
-        const std::uint32_t end = begin_of(i + 1);
-        if (begin > end || end > block.size() || !is_record(block.subspan(begin, end - begin))) return false;
+/// Whether a block is this many records and their bodies, one after the other.
+bool holds_cells(std::span<const std::byte> block, std::uint64_t count) noexcept {
+    std::uint64_t at = count * sizeof(Record);
+    if (at > block.size()) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto record = load<Record>(block.data() + i * sizeof(Record));
+        const BodyParts parts = body_parts(record.ranges, record.moves, (record.flags & angles_stored) != 0);
+        if (record.body_at != at || parts.end > block.size() - at) return false;
+        if (!readable(record, block.data() + at + parts.codes)) return false;
+        at += parts.end;
     }
-    return true;
+    return at == block.size();
 }
 
 }  // namespace
@@ -142,7 +141,7 @@ bool holds_records(std::span<const std::byte> block, std::uint64_t count) noexce
 // Opening.
 
 Atlas::Atlas(const std::string& path) : mapped_(map(path)), bytes_(mapped_.get(), mapped_.get_deleter().bytes) {
-    open(in_quotes(path));
+    open(quoted(path));
 }
 
 Atlas::Atlas(std::span<const std::byte> bytes) : bytes_(bytes) { open("the atlas in memory"); }
@@ -152,7 +151,7 @@ void Atlas::Unmap::operator()(const std::byte* mapped) const noexcept {
 }
 
 Atlas::Mapped Atlas::map(const std::string& path) {
-    const std::string name = in_quotes(path);
+    const std::string name = quoted(path);
     struct File {
         int descriptor;
         ~File() { ::close(descriptor); }
@@ -301,7 +300,7 @@ bool Atlas::check(std::size_t block) const noexcept {
     const std::uint64_t first_cell = std::uint64_t{block} << block_bits_;
     const std::uint64_t cells = std::uint64_t{cars_} * widths_ * lengths_;
     return checksum(bytes) == load<IndexEntry>(index_ + block * sizeof(IndexEntry)).checksum &&
-           holds_records(bytes, std::min(cells - first_cell, std::uint64_t{1} << block_bits_));
+           holds_cells(bytes, std::min(cells - first_cell, std::uint64_t{1} << block_bits_));
 }
 
 bool Atlas::block_is_whole(std::size_t block) const noexcept {
@@ -321,15 +320,17 @@ std::optional<AtlasCell> Atlas::cell(std::size_t car, std::size_t width, std::si
     if (!block_is_whole(block)) return std::nullopt;
     const std::byte* const begin = bytes_.data() + load<IndexEntry>(index_ + block * sizeof(IndexEntry)).block_at;
     const auto in_block = static_cast<std::size_t>(number & ((std::uint64_t{1} << block_bits_) - 1));
+    const auto record = load<Record>(begin + in_block * sizeof(Record));
     AtlasCell found;
-    found.record_ = begin + load<std::uint32_t>(begin + in_block * sizeof(std::uint32_t));
+    found.body_ = begin + record.body_at;
     found.length_ = this->length(length);
     found.width_ = this->width(width);
+    found.enter_ = options_.enter;
     found.max_steer_ = car_entry(bytes_, car).max_steer;
-    const auto record = load<Record>(found.record_);
     found.direction_changes_ = record.direction_changes;
     found.lower_bound_ = record.lower_bound;
     found.proved_ = (record.flags & proved) != 0;
+    found.angles_stored_ = (record.flags & angles_stored) != 0;
     found.ranges_ = record.ranges;
     found.moves_ = record.moves;
     return found;
@@ -373,29 +374,28 @@ std::optional<int> AtlasCell::direction_changes() const noexcept {
 }
 
 HeadingRange AtlasCell::range(std::size_t i) const noexcept {
-    const RecordParts parts = parts_of(load<Record>(record_));
-    const auto range = load<RangeEntry>(record_ + parts.ranges + i * sizeof(RangeEntry));
+    const BodyParts parts = body_parts(ranges_, moves_, angles_stored_);
+    const auto range = load<RangeEntry>(body_ + parts.ranges + i * sizeof(RangeEntry));
     return {range.min, range.max, range.direction_changes, range.subrange};
 }
 
 Pose AtlasCell::entry() const noexcept {
     if (moves_ == 0) return {};
-    const std::byte* const pose = record_ + sizeof(Record);
-    return {value_at(pose, 0), value_at(pose, 1), value_at(pose, 2)};
+    return {value_at(body_, 0), value_at(body_, 1), value_at(body_, 2)};
 }
 
 AtlasMove AtlasCell::move(std::size_t i) const noexcept {
-    const RecordParts parts = parts_of(load<Record>(record_));
-    const double length = value_at(record_ + parts.lengths, i);
-    const auto code = load<std::uint8_t>(record_ + parts.codes + i);
+    const BodyParts parts = body_parts(ranges_, moves_, angles_stored_);
+    const double length = value_at(body_ + parts.lengths, i);
+    const auto code = load<std::uint8_t>(body_ + parts.codes + i);
     AtlasMove move;
     move.direction = std::signbit(length) ? Direction::backward : Direction::forward;
     move.length = std::abs(length);
-    switch (Steering{static_cast<std::uint8_t>(code >> 6)}) {
+    switch (steering_in(code)) {
         case Steering::full_right: move.steering_angle = -max_steer_; break;
         case Steering::straight: move.steering_angle = 0.0; break;
         case Steering::full_left: move.steering_angle = max_steer_; break;
-        case Steering::stored: move.steering_angle = value_at(record_ + parts.angles, i); break;
+        case Steering::stored: move.steering_angle = value_at(body_ + parts.angles, i); break;
     }
     if (const int contact = (code & contact_bits) - 1; contact >= 0)
         move.contact = Contact{static_cast<CarPart>(contact / obstacles), static_cast<Obstacle>(contact % obstacles)};
@@ -403,15 +403,29 @@ AtlasMove AtlasCell::move(std::size_t i) const noexcept {
 }
 
 Maneuver maneuver(const AtlasCell& cell, const Car& car, const Slot& slot) {
+    // The stored slot lies in the real one with its entry corner on that one's. What it lacks, it lacks at the other end.
+    const bool backward = cell.enter() == Enter::backward;
+    const auto is_there = [&](Obstacle obstacle) {
+        switch (obstacle) {
+            case Obstacle::curb: return cell.width() == slot.width();
+            case Obstacle::front_side:
+            case Obstacle::front_corner: return backward || cell.length() == slot.length();
+            case Obstacle::rear_side:
+            case Obstacle::rear_corner: break;
+        }
+        return !backward || cell.length() == slot.length();
+    };
     Maneuver driven{car, {}};
-    Pose pose = slot.to_world(cell.entry());
+    Pose entry = cell.entry();
+    if (!backward) entry.x -= slot.length() - cell.length();
+    Pose pose = slot.to_world(entry);
     for (std::size_t i = 0; i < cell.moves(); ++i) {
         const AtlasMove stored = cell.move(i);
         Move move;
         move.direction = stored.direction;
         move.steering_angle = slot.mirrored(stored.steering_angle);
         move.length = stored.length;
-        move.contact = stored.contact;
+        if (stored.contact && is_there(stored.contact->obstacle)) move.contact = stored.contact;
         if (move.contact && slot.side() == Side::left) move.contact->part = mirrored(move.contact->part);
         move.start = pose;
         move.end = pose = drive(car, move.start, move.direction, move.steering_angle, move.length);

@@ -2,8 +2,9 @@
 //
 //     Head, CarEntry[cars], names, widths, lengths | blocks | IndexEntry[blocks] | Trailer
 //
-// A block holds the records of some successive cells, after a table of where each begins. Every part begins at a multiple
-// of 8 bytes, numbers are little-endian, and checksums cover each byte of the file.
+// A block holds some successive cells: first their records, all of one size so that one is found without looking for it,
+// then their bodies, whose size the record tells. Every part begins at a multiple of 8 bytes, numbers are little-endian,
+// and checksums cover each byte of the file.
 #pragma once
 
 #include <array>
@@ -56,15 +57,14 @@ struct CarEntry {
 };
 static_assert(sizeof(CarEntry) == 48);
 
-/// Begins a cell's answer. Behind it, as far as there are any: the entry pose if there are moves, the ranges, the moves'
-/// lengths, their steering angles if some are stored, and their codes.
+/// A cell's answer in short.
 struct Record {
     std::int32_t direction_changes;  // -1 none
     std::int32_t lower_bound;
     std::uint32_t ranges;
     std::uint32_t moves;
     std::uint32_t flags;
-    std::uint32_t reserved;
+    std::uint32_t body_at;  // from the block's begin
 };
 static_assert(sizeof(Record) == 24);
 constexpr std::uint32_t proved = 1;
@@ -112,21 +112,21 @@ constexpr std::uint32_t cells_per_block(std::uint64_t cells) {
     return per_block;
 }
 
-/// Where the parts of a record begin, from the record's own begin.
-struct RecordParts {
+/// A body: the entry pose if there are moves, the ranges, the moves' lengths, their steering angles if some are stored, and
+/// their codes. This is where they begin and where it ends.
+struct BodyParts {
     std::uint64_t ranges;
     std::uint64_t lengths;
     std::uint64_t angles;
     std::uint64_t codes;
     std::uint64_t end;
 };
-constexpr RecordParts parts_of(const Record& record) {
-    const std::uint64_t moves = record.moves;
-    RecordParts parts{};
-    parts.ranges = sizeof(Record) + (moves > 0 ? 3 * sizeof(double) : 0);
-    parts.lengths = parts.ranges + record.ranges * std::uint64_t{sizeof(RangeEntry)};
+constexpr BodyParts body_parts(std::uint64_t ranges, std::uint64_t moves, bool with_angles) {
+    BodyParts parts{};
+    parts.ranges = moves > 0 ? 3 * sizeof(double) : 0;
+    parts.lengths = parts.ranges + ranges * sizeof(RangeEntry);
     parts.angles = parts.lengths + moves * sizeof(double);
-    parts.codes = parts.angles + ((record.flags & angles_stored) != 0 ? moves * sizeof(double) : 0);
+    parts.codes = parts.angles + (with_angles ? moves * sizeof(double) : 0);
     parts.end = parts.codes + padded(moves);
     return parts;
 }

@@ -47,6 +47,9 @@ class AtlasCell {
 public:
     [[nodiscard]] double length() const noexcept { return length_; }  ///< of the stored slot [m]
     [[nodiscard]] double width() const noexcept { return width_; }    ///< of the stored slot [m]
+    /// Which way the car goes in. Nose first, poses are those of the stored slot, whose rear corner is to be taken for the real
+    /// one's; maneuver() does so.
+    [[nodiscard]] Enter enter() const noexcept { return enter_; }
     /// The fewest; empty when no maneuver was found.
     [[nodiscard]] std::optional<int> direction_changes() const noexcept;
     /// No maneuver has fewer in the stored slot; 0 where nothing is proved, as with full steering alone.
@@ -65,22 +68,24 @@ public:
 
 private:
     friend class Atlas;
-    const std::byte* record_ = nullptr;
+    const std::byte* body_ = nullptr;
     double length_ = 0.0;
     double width_ = 0.0;
     double max_steer_ = 0.0;
+    Enter enter_ = Enter::backward;
     int direction_changes_ = -1;
     int lower_bound_ = 0;
     bool proved_ = false;
+    bool angles_stored_ = false;
     std::uint32_t ranges_ = 0;
     std::uint32_t moves_ = 0;
 };
 
 /// What an atlas says of a slot.
 enum class AtlasVerdict {
-    parks,         ///< with the maneuver of `cell`
-    cannot_park,   ///< full steering does not in exactly this stored slot, or none as large can, which is proved
-    undecided,     ///< the stored slot below is too small, and nothing is proved of the slot asked for
+    parks,        ///< with the maneuver of `cell`
+    cannot_park,  ///< max_steer: this very slot is stored and nothing parks; fewest: proved, of this slot or a larger one
+    undecided,    ///< the stored slot below is too small, and nothing is proved of the slot asked for
     outside_grid,  ///< shorter, longer, narrower or wider than every stored slot, or not a number
     no_such_car,   ///< the atlas has not so many cars
     damaged,       ///< a part of the file that is needed for the answer is damaged
@@ -161,7 +166,8 @@ private:
     std::unique_ptr<std::atomic<Block>[]> states_;
 };
 
-/// The stored maneuver with its poses, in the world of a slot (of any size) it is driven in.
+/// The stored maneuver with its poses, in the world of a slot no smaller than the stored one, and driven from its entry corner
+/// as it is stored: contacts that only the stored slot has are left out. No moves when none are stored.
 Maneuver maneuver(const AtlasCell& cell, const Car& car, const Slot& slot);
 
 }  // namespace snug

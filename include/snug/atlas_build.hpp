@@ -47,9 +47,10 @@ public:
     AtlasWriter(const AtlasPlan& plan, std::string_view made_by, Sink sink);
     ~AtlasWriter();
 
-    /// The cells one after the other: cars outside, then widths, lengths inside.
+    /// The cells one after the other: cars outside, then widths, lengths inside. One too many, or one with moves and
+    /// without their count, is a mistake in the program: std::logic_error.
     void add(const CellAnswer& answer);
-    /// When all have been added.
+    /// When all have been added; std::logic_error before.
     void finish();
 
 private:

@@ -1,6 +1,7 @@
 // Everything: the exact solver for parallel parking.
 #pragma once
 
+#include "snug/atlas.hpp"
 #include "snug/batch.hpp"
 #include "snug/car.hpp"
 #include "snug/contact.hpp"
