@@ -179,6 +179,7 @@ TEST_F(Mpirun, WithoutItsProgramItSaysWhatIsMissing) {
     const Result result = mpirun(2, build("a", grid), folder.file("snug"));
     EXPECT_EQ(result.exit_code, 2);
     const std::size_t first = result.err.find("there is no " + folder.file("snug-mpi"));
+    EXPECT_NE(first, result.err.npos) << result.err;
     EXPECT_EQ(result.err.find("there is no ", first + 1), result.err.npos) << result.err;
 }
 
