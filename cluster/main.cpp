@@ -33,7 +33,8 @@ int follow(Mail& mail) {
 }  // namespace snug::cluster
 
 int main(int count, char** words) {
+    using namespace snug::cluster;
     snug::cli::prepare_process();
-    snug::cluster::Mail mail;
+    Mail mail;
     return mail.number() == 0 ? lead(mail, {words + (count > 0 ? 1 : 0), words + count}) : follow(mail);
 }
