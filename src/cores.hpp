@@ -1,14 +1,15 @@
-// How many threads work at once.
+// How many threads oneTBB has work at once. For the layers that use it, not for the core.
 #pragma once
 
+#include <oneapi/tbb/info.h>
+
 #include <algorithm>
-#include <thread>
 
 namespace snug {
 
-/// So many, if there are as many cores (oneTBB complains when it is asked for more); 0: one on each core.
+/// So many, if the process may use as many cores (oneTBB complains when it is asked for more); 0: one on each core.
 inline int threads_at_once(int asked) {
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int cores = tbb::info::default_concurrency();
     return asked > 0 ? std::min(asked, cores) : cores;
 }
 

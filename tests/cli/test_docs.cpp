@@ -68,11 +68,25 @@ void expect_alike(const std::string& printed, const std::string& shown, const st
     }
 }
 
-/// Commands with their outputs, in a folder of their own.
+/// Works in a new folder, with an empty build/ in it, until it goes away.
+class Elsewhere {
+public:
+    Elsewhere() {
+        std::filesystem::current_path(folder_.file(""));
+        std::filesystem::create_directory("build");
+    }
+    ~Elsewhere() { std::filesystem::current_path(before_); }
+    Elsewhere(const Elsewhere&) = delete;
+    Elsewhere& operator=(const Elsewhere&) = delete;
+
+private:
+    Folder folder_;
+    std::filesystem::path before_ = std::filesystem::current_path();
+};
+
+/// Commands with their outputs.
 void check_console(const std::string& text, const std::string& where) {
-    const Folder folder;
-    const std::filesystem::path before = std::filesystem::current_path();
-    std::filesystem::current_path(folder.file(""));
+    const Elsewhere elsewhere;
     std::string command;
     std::string output;
     std::istringstream lines(text);
@@ -98,7 +112,6 @@ void check_console(const std::string& text, const std::string& where) {
     }
     EXPECT_NE(command, "") << where << " has a console block without a command: " << text;
     expect();
-    std::filesystem::current_path(before);
 }
 
 /// Everything below these folders and files, one after the other.
@@ -116,6 +129,7 @@ std::string all_of(const std::vector<std::string>& places) {
 }
 
 void check_shell(const Block& block, const Block* next, const std::string& where) {
+    const Elsewhere elsewhere;
     const std::string built = "build/release/snug ";
     std::istringstream lines(block.text);
     for (std::string line; std::getline(lines, line);) {
