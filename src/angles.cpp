@@ -1,4 +1,4 @@
-// Taylor's series, on arguments made small first: sines take away quarter turns, arc tangents the nearest of nine angles.
+// Taylor's series, on arguments made small first: sines take away quarter turns, arc tangents the nearest of five angles.
 // Whatever that rounds off is kept beside the result and comes back in the last addition.
 #include "angles.hpp"
 
@@ -52,6 +52,7 @@ Exact without_quarters(double angle, double quarters) {
 
 SineCosine sine_cosine(double angle) {
     constexpr double eighth = 0.78539816339744831;
+    if (angle == 0.0) return {angle, 1.0};  // most slots
     if (std::abs(angle) <= eighth) return {sine_of({angle, 0.0}), cosine_of({angle, 0.0})};
     if (!(std::abs(angle) < 380.0)) {
         angle = std::remainder(angle, 4.0 * quarter_turn.value);
@@ -75,28 +76,26 @@ double tan(double angle) {
 }
 
 double atan2(double y, double x) {
-    // atan(i / 8)
-    constexpr std::array<Exact, 9> known = {{{0.0, 0.0},
-                                             {0.12435499454676144, -3.1253241424539383e-18},
+    // atan(i / 4)
+    constexpr std::array<Exact, 5> known = {{{0.0, 0.0},
                                              {0.24497866312686414, 1.0698755618734451e-17},
-                                             {0.35877067027057225, -2.4623815582638635e-17},
                                              {0.4636476090008061, 2.2698777452961687e-17},
-                                             {0.5585993153435624, -5.4556305485916264e-18},
                                              {0.6435011087932844, 1.5834785051444286e-17},
-                                             {0.7188299996216245, -2.1478388444456983e-17},
                                              {0.7853981633974483, 3.061616997868383e-17}}};
     const bool steep = std::abs(y) > std::abs(x);
     const double larger = std::abs(steep ? y : x);
     const double smaller = std::abs(steep ? x : y);
-    const double ratio = larger == 0.0 ? 0.0 : smaller / larger;
-    const double place = 8.0 * ratio + 0.5;
-    const std::size_t i = ratio <= 1.0 ? static_cast<std::size_t>(place) : 0;  // 0 where it is NaN
-    const double eighths = 0.125 * static_cast<double>(i);
-    const double t = i == 0 ? ratio : (smaller - eighths * larger) / (larger + eighths * smaller);
+    const double eight = 8.0 * smaller;
+    const auto i = static_cast<std::size_t>(eight > larger) + static_cast<std::size_t>(eight > 3.0 * larger) +
+                   static_cast<std::size_t>(eight > 5.0 * larger) + static_cast<std::size_t>(eight > 7.0 * larger);
+    const double tangent = 0.25 * static_cast<double>(i);
+    const double t = i != 0          ? (smaller - tangent * larger) / (larger + tangent * smaller)
+                     : larger == 0.0 ? 0.0
+                                     : smaller / larger;
     const double z = t * t;
     const double w = z * z;
-    const double odd = -1.0 / 3.0 + w * (-1.0 / 7.0 + w * (-1.0 / 11.0));
-    const double even = 1.0 / 5.0 + w * (1.0 / 9.0 + w * (1.0 / 13.0));
+    const double odd = -1.0 / 3.0 + w * (-1.0 / 7.0 + w * (-1.0 / 11.0 + w * (-1.0 / 15.0)));
+    const double even = 1.0 / 5.0 + w * (1.0 / 9.0 + w * (1.0 / 13.0 + w * (1.0 / 17.0)));
     const double beyond = known[i].rest + t * z * (odd + z * even) + t;
 
     // The axis from which that angle is counted, one way or the other.
