@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "angles.hpp"
 #include "check.hpp"
 #include "spelling.hpp"
 
@@ -38,15 +39,16 @@ Car::Car(const CarDimensions& dimensions, std::string name) : dimensions_(dimens
     check_steer(dimensions.max_steer);
 }
 
-double Car::turning_radius() const { return dimensions_.wheelbase / std::tan(dimensions_.max_steer); }
+double Car::turning_radius() const { return dimensions_.wheelbase / angles::tan(dimensions_.max_steer); }
 
 double Car::curb_to_curb() const {
-    return 2.0 * std::hypot(turning_radius() + dimensions_.width / 2.0, dimensions_.wheelbase);
+    return 2.0 * angles::hypot(turning_radius() + dimensions_.width / 2.0, dimensions_.wheelbase);
 }
 
 std::array<Point, 4> frame(const Car& car, const Pose& pose) {
-    const double c = std::cos(pose.heading);
-    const double s = std::sin(pose.heading);
+    const angles::SineCosine heading = angles::sine_cosine(pose.heading);
+    const double c = heading.cosine;
+    const double s = heading.sine;
     const double half = car.width() / 2.0;
     const auto corner = [&](double ahead, double left) {
         return Point{pose.x + ahead * c - left * s, pose.y + ahead * s + left * c};
@@ -55,7 +57,7 @@ std::array<Point, 4> frame(const Car& car, const Pose& pose) {
             corner(car.front(), -half)};
 }
 
-double steer_for_turning_radius(double wheelbase, double radius) { return std::atan2(wheelbase, radius); }
+double steer_for_turning_radius(double wheelbase, double radius) { return angles::atan2(wheelbase, radius); }
 
 double steer_for_curb_to_curb(double wheelbase, double width, double diameter) {
     // The outer front wheel runs on a circle of half the diameter, one wheelbase ahead of the rear axle's line.

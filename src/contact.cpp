@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "angles.hpp"
 #include "check.hpp"
 #include "turning.hpp"
 
@@ -39,7 +40,8 @@ struct Meeting {
 QuarterHeading in_quarters(double heading) {
     const double quarter = std::floor(heading / quarter_turn);
     const double within = std::max(0.0, heading - quarter * quarter_turn);
-    return {std::max(0.0, std::cos(within)), std::sin(within), static_cast<int>(-quarter)};
+    const auto [s, c] = angles::sine_cosine(within);
+    return {std::max(0.0, c), s, static_cast<int>(-quarter)};
 }
 
 const QuarterFrame& frame_of(const TurningFrame& frames, int quarter) {
@@ -56,8 +58,9 @@ Meeting first_met_straight(const PlainMove& move, const TurningFrame& frames) {
     const Problem& problem = move.problem;
     const QuarterHeading now = in_quarters(move.start.heading);
     const QuarterFrame& frame = frame_of(frames, now.quarter);
-    const double dx = move.forward * std::cos(move.start.heading);
-    const double dy = move.forward * std::sin(move.start.heading);
+    const auto [sine, cosine] = angles::sine_cosine(move.start.heading);
+    const double dx = move.forward * cosine;
+    const double dy = move.forward * sine;
     Meeting first;
     first.quarter = now.quarter;
     const auto consider = [&](double gap, double closing, Meets meets, auto touches_at) {
@@ -120,8 +123,8 @@ Meeting first_met_turning(const PlainMove& move, const TurningFrame& frames, dou
             first_contact_in_quarter(frame_of(frames, now.quarter), centre_x, centre_y, move.problem, now.c, now.s);
         const bool full_circle = i + 1 == quarters_around && contact.order < start.order() + full_circle_slack;
         if (contact.meets != Meets::nothing && !full_circle) {
-            const double turned = (now.quarter - start.quarter) * quarter_turn + std::atan2(start.s, start.c) -
-                                  std::atan2(contact.s, contact.c);
+            const double turned = (now.quarter - start.quarter) * quarter_turn + angles::atan2(start.s, start.c) -
+                                  angles::atan2(contact.s, contact.c);
             return {turned / std::abs(move.curvature), contact.meets, now.quarter};
         }
         now = {0.0, 1.0, now.quarter + 1};
@@ -133,9 +136,9 @@ Meeting first_met_turning(const PlainMove& move, const TurningFrame& frames, dou
 Pose after(const PlainMove& move, double distance) {
     const double turn = move.forward * move.curvature * distance;
     const double half = turn / 2.0;
-    const double chord = move.forward * distance * (std::abs(half) > 1e-8 ? std::sin(half) / half : 1.0);
-    return {move.start.x + chord * std::cos(move.start.heading + half),
-            move.start.y + chord * std::sin(move.start.heading + half), move.start.heading + turn};
+    const double chord = move.forward * distance * (std::abs(half) > 1e-8 ? angles::sin(half) / half : 1.0);
+    const auto [s, c] = angles::sine_cosine(move.start.heading + half);
+    return {move.start.x + chord * c, move.start.y + chord * s, move.start.heading + turn};
 }
 
 /// Newton's method on the distance between the part and what it meets: takes away the rounding of a far turning centre.
@@ -145,10 +148,10 @@ double refined(const PlainMove& move, const TurningFrame& frames, const Meeting&
     for (int i = 0; i < 3; ++i) {
         const Pose pose = after(move, distance);
         const double within = pose.heading + meeting.quarter * quarter_turn;
-        const double c = std::cos(within);
-        const double s = std::sin(within);
-        const double dx = move.forward * std::cos(pose.heading);
-        const double dy = move.forward * std::sin(pose.heading);
+        const auto [s, c] = angles::sine_cosine(within);
+        const auto [sine, cosine] = angles::sine_cosine(pose.heading);
+        const double dx = move.forward * cosine;
+        const double dy = move.forward * sine;
         const double turning = move.forward * move.curvature;
         double gap = 0.0;
         double opening = 0.0;  // d gap / d distance
@@ -227,9 +230,9 @@ std::optional<Meeting> overlapped(const PlainMove& move, const TurningFrame& fra
 std::optional<Stretch> inside_turning(const PlainMove& move, const TurningFrame& frames, double y, double end) {
     const QuarterHeading start = in_quarters(move.start.heading);
     const double bend = std::abs(move.curvature);
-    const double start_angle = std::atan2(start.s, start.c);
+    const double start_angle = angles::atan2(start.s, start.c);
     const auto distance_to = [&](double c, double s, int quarter) {
-        return ((quarter - start.quarter) * quarter_turn + start_angle - std::atan2(s, c)) / bend;
+        return ((quarter - start.quarter) * quarter_turn + start_angle - angles::atan2(s, c)) / bend;
     };
     std::optional<Stretch> inside;
     QuarterHeading now = start;
@@ -262,7 +265,7 @@ std::optional<Stretch> inside_straight(const PlainMove& move, const TurningFrame
     const QuarterHeading now = in_quarters(move.start.heading);
     const QuarterFrame& frame = frame_of(frames, now.quarter);
     const double height = top_height(frame, move.start.y, now.c, now.s);
-    const double rising = move.forward * std::sin(move.start.heading);
+    const double rising = move.forward * angles::sin(move.start.heading);
     const double crossing = -height / rising;
     Stretch inside{0.0, end};
     if (height > move.problem.touch) {
@@ -301,7 +304,7 @@ FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, D
     PlainMove move;
     move.start = slot.to_slot(pose);
     move.forward = direction == Direction::forward ? 1.0 : -1.0;
-    move.curvature = std::tan(slot.mirrored(steering_angle)) / car.wheelbase();
+    move.curvature = angles::tan(slot.mirrored(steering_angle)) / car.wheelbase();
     const bool turn_round = move.forward * move.curvature > 0.0;  // counter-clockwise: look at it in a mirror
     if (turn_round) {
         move.start = {-slot.length() - move.start.x, move.start.y, 2.0 * quarter_turn - move.start.heading};
@@ -320,8 +323,9 @@ FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, D
     const double offset = straight ? 0.0 : 1.0 / move.curvature;
     const TurningFrame frames =
         straight ? about_axle : turning_frame(move.problem.touching, move.problem.parked, offset);
-    const double centre_x = move.start.x - offset * std::sin(move.start.heading);
-    const double centre_y = move.start.y + offset * std::cos(move.start.heading);
+    const auto [sine, cosine] = angles::sine_cosine(move.start.heading);
+    const double centre_x = move.start.x - offset * sine;
+    const double centre_y = move.start.y + offset * cosine;
 
     Meeting met;
     if (const std::optional<Meeting> already = overlapped(move, about_axle)) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "angles.hpp"
 #include "check.hpp"
 #include "entering.hpp"
 #include "fewest_search.hpp"
@@ -26,8 +27,8 @@ bool nose_stays_in(const Maneuver& maneuver, const Slot& slot, double clearance)
     const Car& car = maneuver.car;
     const auto out = [&](const Pose& at) {
         const Pose pose = slot.to_slot(at);
-        return pose.y + (car.front() + clearance) * std::sin(pose.heading) -
-                   (car.width() / 2.0 + clearance) * std::cos(pose.heading) >
+        return pose.y + (car.front() + clearance) * angles::sin(pose.heading) -
+                   (car.width() / 2.0 + clearance) * angles::cos(pose.heading) >
                1e-9 * car.length();
     };
     return std::none_of(maneuver.moves.begin(), maneuver.moves.end(), [&](const Move& move) {
@@ -45,8 +46,8 @@ bool has_room(const Car& car, double length, double width, double clearance) {
     if (width == least_width) return false;
     if (length > least_length) return true;
     const double tilt =
-        2.0 * std::atan((car.width() + 2.0 * clearance) / least_length);  // least at which it is so short
-    const double height = car.length() * std::sin(tilt) + car.width() * std::cos(tilt);
+        2.0 * angles::atan((car.width() + 2.0 * clearance) / least_length);  // least at which it is so short
+    const double height = car.length() * angles::sin(tilt) + car.width() * angles::cos(tilt);
     return width >= std::min(height, car.length()) + clearance;
 }
 

@@ -111,7 +111,7 @@ void Lattice::measure_column(int d) {
     const Headings headings(sine, cells ? sine_step_ : 0.0);  // of the cell
     const double least_cosine = headings.least_cosine();
     // How far a point of the car can be from where it is at the cell's middle, along and across.
-    const double farthest = std::hypot(std::max(car.front, car.rear), car.left);
+    const double farthest = angles::hypot(std::max(car.front, car.rear), car.left);
     const double half = spacing_ / 2.0;
     const double along = cells ? half * std::max(1.0, farthest / (problem_.radius * least_cosine)) : 0.0;
     const double across = cells ? half * farthest / (problem_.radius * least_cosine) : 0.0;

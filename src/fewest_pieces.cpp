@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "angles.hpp"
 #include "entering.hpp"
 #include "snug/contact.hpp"
 
@@ -34,7 +35,7 @@ namespace {
 Point right_corner(const Ground& ground, const Pose& pose, double ahead) {
     const double along = ahead + (ahead > 0.0 ? ground.clearance : -ground.clearance);
     const double right = ground.car.width() / 2.0 + ground.clearance;
-    const double c = std::cos(pose.heading), s = std::sin(pose.heading);
+    const auto [s, c] = angles::sine_cosine(pose.heading);
     return {pose.x + along * c + right * s, pose.y + along * s - right * c};
 }
 
@@ -60,7 +61,7 @@ public:
 
 private:
     [[nodiscard]] Characteristic characteristic(const Pose& pose) const {
-        const double across = radius_ * std::sin(pose.heading);
+        const double across = radius_ * angles::sin(pose.heading);
         return {pose.x - across, pose.x + across};
     }
     /// The piece to a point, contacts not looked at; empty where no heading leads there.
@@ -117,18 +118,18 @@ std::optional<Move> Smoother::piece(const Pose& from, Direction direction, const
     if (along_a + along_b <= negligible) return move;
     const double sine = (to.b - to.a) / (2.0 * radius_);
     if (!(std::abs(sine) < 1.0)) return std::nullopt;
-    const double end = std::asin(sine);
+    const double end = angles::asin(sine);
     if (along_a <= negligible || along_b <= negligible) {
         move.steering_angle = along_a <= negligible ? ground_.car.max_steer() : -ground_.car.max_steer();
         move.length = radius_ * std::abs(end - from.heading);
     } else {
         double curvature = (along_b - along_a) / (radius_ * (along_a + along_b));
         if (std::abs(along_b - along_a) < 1e-9 * radius_) curvature = 0.0;
-        move.steering_angle = std::clamp(std::atan(curvature * ground_.car.wheelbase()), -ground_.car.max_steer(),
+        move.steering_angle = std::clamp(angles::atan(curvature * ground_.car.wheelbase()), -ground_.car.max_steer(),
                                          ground_.car.max_steer());
         const double half = curvature == 0.0 ? 0.0 : (end - from.heading) / 2.0;
-        const double chord = (along_a + along_b) / (2.0 * std::cos(from.heading + half));
-        move.length = chord / (std::abs(half) > 1e-8 ? std::sin(half) / half : 1.0);
+        const double chord = (along_a + along_b) / (2.0 * angles::cos(from.heading + half));
+        move.length = chord / (std::abs(half) > 1e-8 ? angles::sin(half) / half : 1.0);
     }
     move.end = drive(ground_.car, from, direction, move.steering_angle, move.length);
     return move;
@@ -395,8 +396,8 @@ std::vector<Move> Smoother::leaving(const LatticePath& path, Finish finish) cons
     if (path.legs.empty()) return {};
     const Characteristic first = path.legs.front().points.front();
     Plan plan;
-    const double heading = std::asin((first.b - first.a) / (2.0 * radius_));
-    plan.start = {(first.a + first.b) / 2.0, path.z - radius_ * std::cos(heading), heading};
+    const double heading = angles::asin((first.b - first.a) / (2.0 * radius_));
+    plan.start = {(first.a + first.b) / 2.0, path.z - radius_ * angles::cos(heading), heading};
     Pose pose = plan.start;
     std::vector<Move> moves;
     for (const LatticePath::Leg& leg : path.legs) {
@@ -451,7 +452,7 @@ std::vector<Move> with_contacts(const Ground& ground, std::vector<Move> moves) {
 
 bool ends_at_p(const Ground& ground, const std::vector<Move>& moves) {
     const Point corner = right_corner(ground, moves.back().end, ground.car.front());
-    return std::hypot(corner.x, corner.y) <= touching;
+    return angles::hypot(corner.x, corner.y) <= touching;
 }
 
 }  // namespace snug::detail

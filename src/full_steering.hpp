@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "angles.hpp"
 #include "turning.hpp"
 
 namespace snug::detail {
@@ -49,8 +50,8 @@ class FullSteeringRun {
 public:
     /// At the entry position with this heading in [0, pi/2].
     FullSteeringRun(const FullSteering& steering, double entry_heading) : steering_(&steering) {
-        heading_.c = std::cos(entry_heading);
-        heading_.s = std::sin(entry_heading);
+        const auto [sine, cosine] = angles::sine_cosine(entry_heading);
+        heading_ = {cosine, sine, 0};
         const double front = steering.problem.touching.front;
         const double side = steering.problem.touching.right + steering.problem.radius;
         x_ = -front * heading_.c - side * heading_.s;

@@ -360,18 +360,18 @@ std::vector<Headings> possible_headings(const Problem& problem) {
     const double length = problem.touching.front + problem.touching.rear;
     const double width = problem.touching.left + problem.touching.right;
     if (length > problem.length) return {};
-    double largest = std::atan2(problem.radius + problem.touching.right, problem.touching.front);
-    if (problem.width < length) largest = std::min(largest, std::asin(problem.width / length));
+    double largest = angles::atan2(problem.radius + problem.touching.right, problem.touching.front);
+    if (problem.width < length) largest = std::min(largest, angles::asin(problem.width / length));
     largest = std::min(largest, quarter_turn);
 
     // The rear-left corner is above the entry side up to `level`; until then the rear edge must clear the slot's rear
     // corner, afterwards the corner must clear the rear side.
-    const double level = std::atan2(width, length);
-    const double diagonal = std::hypot(length, width);
+    const double level = angles::atan2(width, length);
+    const double diagonal = angles::hypot(length, width);
     if (problem.length >= diagonal) return {{0.0, largest}};
     std::vector<Headings> possible;
-    possible.push_back({0.0, std::min({std::acos(length / problem.length), level, largest})});
-    const double again = level + std::acos(problem.length / diagonal);
+    possible.push_back({0.0, std::min({angles::acos(length / problem.length), level, largest})});
+    const double again = level + angles::acos(problem.length / diagonal);
     if (again <= largest) possible.push_back({again, largest});
     return possible;
 }

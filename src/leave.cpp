@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "angles.hpp"
 #include "check.hpp"
 #include "entering.hpp"
 #include "fewest_search.hpp"
@@ -77,11 +78,11 @@ FewestAnswer leave(const Car& car, const Slot& slot, const Pose& pose, const Few
 
     const double radius = car.turning_radius();
     // Above what rounding may have put into the curb.
-    const double z = start.y + radius * std::cos(start.heading) + 1e-10 * car.length();
+    const double z = start.y + radius * angles::cos(start.heading) + 1e-10 * car.length();
     const LeavingQuestion question{ground,
                                    entering_problem(car, slot, options.enter, options.clearance),
                                    [z](Heights& heights) { heights.start_at(0, 0, z); },
-                                   {start.x, std::sin(start.heading)},
+                                   {start.x, angles::sin(start.heading)},
                                    options.max_changes,
                                    options.resolution,
                                    Finish::tidy};

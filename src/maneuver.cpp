@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "angles.hpp"
 #include "check.hpp"
 
 namespace snug {
@@ -14,7 +15,7 @@ namespace {
 constexpr double quarter_turn = std::numbers::pi / 2.0;
 
 /// sin(u) / u: a chord's length over its arc's, u being half the turn.
-double chord_over_arc(double u) { return u == 0.0 ? 1.0 : std::sin(u) / u; }
+double chord_over_arc(double u) { return u == 0.0 ? 1.0 : angles::sin(u) / u; }
 
 /// A box that grows with every point it is shown.
 struct GrowingBox {
@@ -37,7 +38,7 @@ void cover_move(GrowingBox& swept, const Car& car, const Move& move) {
             swept.cover(corner);
         }
     }
-    const double curvature = std::tan(move.steering_angle) / car.wheelbase();
+    const double curvature = angles::tan(move.steering_angle) / car.wheelbase();
     if (curvature == 0.0) {
         return;
     }
@@ -49,7 +50,7 @@ void cover_move(GrowingBox& swept, const Car& car, const Move& move) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         // Seen from the car, the corner always moves the same way; it moves along an axis of the world whenever
         // heading + drift is a whole number of quarter turns.
-        const double drift = std::atan2(curvature * corners[i].x, 1.0 - curvature * corners[i].y);
+        const double drift = angles::atan2(curvature * corners[i].x, 1.0 - curvature * corners[i].y);
         const double first = std::ceil((lowest + drift) / quarter_turn);
         for (int k = 0; k < 4; ++k) {  // a full circle has four such points
             const double heading = (first + k) * quarter_turn - drift;
@@ -108,10 +109,10 @@ CarPart mirrored(CarPart part) {
 Pose drive(const Car& car, const Pose& start, Direction direction, double steering_angle, double distance) {
     // An arc's chord points along its mean heading; nothing here divides by the curvature, so that lines are arcs too.
     const double path = static_cast<double>(direction) * distance;
-    const double turn = path * std::tan(steering_angle) / car.wheelbase();
+    const double turn = path * angles::tan(steering_angle) / car.wheelbase();
     const double chord = path * chord_over_arc(turn / 2.0);
-    const double mean_heading = start.heading + turn / 2.0;
-    return {start.x + chord * std::cos(mean_heading), start.y + chord * std::sin(mean_heading), start.heading + turn};
+    const auto [s, c] = angles::sine_cosine(start.heading + turn / 2.0);
+    return {start.x + chord * c, start.y + chord * s, start.heading + turn};
 }
 
 int Maneuver::direction_changes() const {

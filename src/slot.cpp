@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "angles.hpp"
 #include "check.hpp"
 
 namespace snug {
@@ -23,15 +24,13 @@ Slot::Slot(const SlotDimensions& dimensions) : dimensions_(dimensions) {
 }
 
 Point Slot::to_world(const Point& in_slot) const {
-    const double c = std::cos(dimensions_.heading);
-    const double s = std::sin(dimensions_.heading);
+    const auto [s, c] = angles::sine_cosine(dimensions_.heading);
     const double y = mirrored(in_slot.y);
     return {dimensions_.corner.x + in_slot.x * c - y * s, dimensions_.corner.y + in_slot.x * s + y * c};
 }
 
 Point Slot::to_slot(const Point& in_world) const {
-    const double c = std::cos(dimensions_.heading);
-    const double s = std::sin(dimensions_.heading);
+    const auto [s, c] = angles::sine_cosine(dimensions_.heading);
     const double x = in_world.x - dimensions_.corner.x;
     const double y = in_world.y - dimensions_.corner.y;
     return {x * c + y * s, mirrored(y * c - x * s)};

@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "angles.hpp"
 #include "check.hpp"
 #include "entering.hpp"
 #include "stepping_entry.hpp"
@@ -79,14 +80,14 @@ public:
         }
         touching_ = {parked_.front + clearance, parked_.rear + clearance, parked_.half_width + clearance};
         turn_ = steps.step / car.turning_radius();
-        turn_c_ = std::cos(turn_);
-        turn_s_ = std::sin(turn_);
-        turn2_c_ = std::cos(2.0 * turn_);
-        turn2_s_ = std::sin(2.0 * turn_);
+        turn_c_ = angles::cos(turn_);
+        turn_s_ = angles::sin(turn_);
+        turn2_c_ = angles::cos(2.0 * turn_);
+        turn2_s_ = angles::sin(2.0 * turn_);
         // A step rotates the frame about a point Delta / 2 from the axle's line and Delta / (2 tan(turn / 2)) to its side;
         // `reach` is the rotation times the distance of the farthest corner, rounded up.
-        const double reach = std::hypot(turn_ * (std::max(touching_.front, touching_.rear) + step_ / 2.0),
-                                        step_ + turn_ * touching_.half_width);
+        const double reach = angles::hypot(turn_ * (std::max(touching_.front, touching_.rear) + step_ / 2.0),
+                                           step_ + turn_ * touching_.half_width);
         steps_per_metre_ = 1.0 / reach;
         full_turn_ = static_cast<std::int64_t>(std::ceil(2.0 * std::numbers::pi / turn_));
     }
@@ -96,8 +97,7 @@ public:
 
     /// C_E^P: front-right corner at p.
     [[nodiscard]] State entry_position(double heading) const {
-        const double c = std::cos(heading);
-        const double s = std::sin(heading);
+        const auto [s, c] = angles::sine_cosine(heading);
         return {-touching_.front * c - touching_.half_width * s, -touching_.front * s + touching_.half_width * c, c, s};
     }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "angles.hpp"
 #include "check.hpp"
 #include "entering.hpp"
 #include "heading_ranges.hpp"
@@ -161,25 +162,26 @@ struct WayOut {
 /// and straight on until the corner is above p. A nose that still points at the curb is brought up to parallel first.
 std::optional<WayOut> way_out(const Ground& ground, const Pose& pose) {
     const double across = ground.side + ground.radius;  // of the corner, seen from the turning centre
-    const double s = std::sin(pose.heading);
-    const double c = std::cos(pose.heading);
+    const double s = angles::sin(pose.heading);
+    const double c = angles::cos(pose.heading);
     double rises = pose.heading;  // heading at which the corner comes up to the entry side
     if (pose.y + ground.front * s - ground.side * c < 0.0) {
         const double below = -(pose.y + ground.radius * c);  // height of the entry side above the centre
-        const double reach = std::hypot(ground.front, across);
+        const double reach = angles::hypot(ground.front, across);
         if (!(std::abs(below) <= reach)) return std::nullopt;
-        rises = std::atan2(below, std::sqrt((reach - below) * (reach + below))) + std::atan2(across, ground.front);
+        rises =
+            angles::atan2(below, std::sqrt((reach - below) * (reach + below))) + angles::atan2(across, ground.front);
     }
     const double heading = std::max({rises, pose.heading, 0.0});
     if (!(heading < quarter_turn)) return std::nullopt;
     const WayOut turn{ground.radius * (heading - pose.heading), 0.0};
     const auto corner_x = [&](double at) {
-        return pose.x - ground.radius * s + across * std::sin(at) + ground.front * std::cos(at);
+        return pose.x - ground.radius * s + across * angles::sin(at) + ground.front * angles::cos(at);
     };
     // The way back from an entry position passes p: rounding must not stop it there.
     if (corner_x(rises) > rounding) return std::nullopt;
     if (!ground.free(pose, Direction::forward, ground.car.max_steer(), turn.left - rounding)) return std::nullopt;
-    return WayOut{turn.left, std::max(0.0, -corner_x(heading) / std::cos(heading))};
+    return WayOut{turn.left, std::max(0.0, -corner_x(heading) / angles::cos(heading))};
 }
 
 /// The moves out of the slot; none when there is no way out.
@@ -248,15 +250,14 @@ std::vector<Move> in_reverse(const std::vector<Move>& out) {
 Move first_trial(const Ground& ground, double goal_y) {
     const double across = ground.side + ground.radius;
     const auto from = [&](double heading) {
-        const double c = std::cos(heading);
-        const double s = std::sin(heading);
+        const auto [s, c] = angles::sine_cosine(heading);
         return Pose{-ground.front * c - ground.side * s, -ground.front * s + ground.side * c, heading};
     };
     // Steeper entries take every heading further back and deeper, so all that are shallower than a free one are free.
     const std::vector<Headings> possible = possible_headings(ground.problem);
     const double steepest = possible.empty() || possible.front().min > 0.0 ? 0.0 : possible.front().max;
     const double heading = last_that_works(0.0, steepest, [&](double at) {
-        const bool too_deep = -ground.front * std::sin(at) + across * std::cos(at) - ground.radius < goal_y;
+        const bool too_deep = -ground.front * angles::sin(at) + across * angles::cos(at) - ground.radius < goal_y;
         return !too_deep && ground.free(from(at), Direction::backward, ground.car.max_steer(), ground.radius * at);
     });
     Move move = driven(ground, from(heading), Direction::backward, ground.car.max_steer(), ground.radius * heading);
@@ -274,7 +275,7 @@ std::vector<Move> next_trial(const Ground& ground, const Pose& pose, Direction d
         if (!ground.free(pose, direction, -full, arc)) return false;
         return ground.free(drive(ground.car, pose, direction, -full, arc), direction, full, arc);
     };
-    const double to_goal = 2.0 * std::asin(std::sqrt(std::min(0.5, (pose.y - goal_y) / (4.0 * ground.radius))));
+    const double to_goal = 2.0 * angles::asin(std::sqrt(std::min(0.5, (pose.y - goal_y) / (4.0 * ground.radius))));
     const bool reaches = to_goal < quarter_turn && free(to_goal);
     const double angle = reaches ? to_goal : last_that_works(0.0, to_goal, free);
 

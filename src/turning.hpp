@@ -19,6 +19,7 @@
 #include <cmath>
 #include <limits>
 
+#include "angles.hpp"
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 
@@ -96,7 +97,7 @@ struct QuarterHeading {
     }
     /// Falls with the angle, at an even pace, and needs no trigonometry: sin - cos.
     [[nodiscard]] double order() const { return s - c; }
-    [[nodiscard]] double angle() const { return std::atan2(s, c) - quarter * 1.57079632679489661923; }
+    [[nodiscard]] double angle() const { return angles::atan2(s, c) - quarter * 1.57079632679489661923; }
 };
 
 /// A corner of the frame seen from the turning centre, x along the heading of the quarter.

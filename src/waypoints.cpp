@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "angles.hpp"
 #include "check.hpp"
 
 namespace snug {
@@ -32,7 +33,7 @@ std::vector<Waypoint> waypoints(const Maneuver& maneuver, double spacing) {
     double driven = 0.0;
     for (const Move& move : maneuver.moves) {
         if (move.length == 0.0) continue;
-        const double curvature = std::tan(move.steering_angle) / maneuver.car.wheelbase();
+        const double curvature = angles::tan(move.steering_angle) / maneuver.car.wheelbase();
         const Waypoint start = {move.start, move.direction, curvature, driven};
         if (along.empty() || along.back().direction != move.direction) {
             along.push_back(start);

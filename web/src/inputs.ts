@@ -1,6 +1,6 @@
 // What a person can set: read from fields and links, checked, and written back as a link or a command line.
 import type { Car } from "snug";
-import { degrees, radians } from "./geometry";
+import { clamp, degrees, radians } from "./geometry";
 
 export interface Inputs {
     car: Car;
@@ -13,6 +13,9 @@ export interface Inputs {
     /** The entry heading looked at [rad]; null: the best. */
     heading: number | null;
 }
+
+export const slotOf = ({ length, width, side }: Inputs) => ({ length, width, side });
+export const drivingOf = ({ clearance, enter }: Inputs) => ({ clearance, enter });
 
 export type NumberField =
     | "length"
@@ -44,6 +47,8 @@ export const limits: Record<NumberField, Limits> = {
     "car-wheelbase": { what: "The wheelbase", low: 0.3, high: 20, unit: "m" },
     "car-steer": { what: "The largest steering angle", low: 5, high: 80, unit: "°" },
 };
+
+export const within = (field: NumberField, value: number) => clamp(value, limits[field].low, limits[field].high);
 
 /** The number typed, or a sentence that says what is wrong with it. */
 export function parseNumber(field: NumberField, typed: string): number | string {

@@ -84,3 +84,4 @@ export function asker(module: WebAssembly.Module) {
     };
     return { ask, abandon };
 }
+export type Asker = ReturnType<typeof asker>;

@@ -61,14 +61,10 @@ export function random(seed) {
     };
 }
 
-/** Where two answers differ: words and counts must be the same, other numbers within the tolerance. */
-export function differences(a, b, tolerance, where = "") {
-    if (typeof a === "number" && typeof b === "number") {
-        const whole = Number.isInteger(a) && Number.isInteger(b);
-        return (whole && a === b) || Math.abs(a - b) <= tolerance ? [] : [`${where}: ${a} and ${b}`];
-    }
+/** Where two answers differ. */
+export function differences(a, b, where = "") {
     if (a === null || b === null || typeof a !== "object" || typeof b !== "object")
         return a === b ? [] : [`${where}: ${JSON.stringify(a)} and ${JSON.stringify(b)}`];
     const keys = new Set([...Object.keys(a), ...Object.keys(b)]);
-    return [...keys].flatMap((key) => differences(a[key], b[key], tolerance, `${where}.${key}`));
+    return [...keys].flatMap((key) => differences(a[key], b[key], `${where}.${key}`));
 }

@@ -1,0 +1,77 @@
+// The answers to what is set: full steering at once, in the frame that asks; all maneuvers from a worker, by and by.
+import type { EntryAnswer, FewestAnswer, FewestProgress, HeadingRange, Snug } from "snug";
+import { drivingOf, slotOf, type Inputs } from "./inputs";
+import { later } from "./later";
+import type { Asker } from "./questions";
+
+interface Listener {
+    /** There is something new to show. */
+    changed(): void;
+    /** The answer for the chosen strategy stands. */
+    settled(): void;
+    failed(sentence: string): void;
+    /** Something is being dragged: no time for more than the answer. */
+    busy(): boolean;
+}
+
+export function createAnswers(snug: Snug, questions: Asker, listener: Listener) {
+    const answers = {
+        entry: null as EntryAnswer | null,
+        fewest: null as FewestAnswer | null,
+        bounds: null as FewestProgress | null,
+        /** For the fan: the best ranges, and a little later those of more changes. */
+        ranges: [] as HeadingRange[],
+    };
+    /** How long the solver took in the last frames, for the tests. [ms] */
+    const frameTimes: number[] = [];
+    let asked = "";
+    const soonFewest = later(120);
+    const soonSettled = later(60);
+    const soonRanges = later(80);
+
+    const askFewest = (inputs: Inputs) =>
+        questions.ask("fewest", "fewest", { car: inputs.car, ...slotOf(inputs), ...drivingOf(inputs) }, (told) => {
+            if ("error" in told) {
+                listener.failed(told.error);
+                return;
+            }
+            if ("so_far" in told) answers.bounds = told.so_far;
+            else {
+                answers.fewest = told.answer;
+                listener.settled();
+            }
+            listener.changed();
+        });
+
+    /** True where the question is a new one. Throws the solver's sentence, and keeps the last answers, where it has none. */
+    const ask = (inputs: Inputs): boolean => {
+        const question = JSON.stringify([inputs.car, slotOf(inputs), drivingOf(inputs), inputs.strategy]);
+        if (question === asked) return false;
+        const before = performance.now();
+        const entry = snug.entry(inputs.car, slotOf(inputs), drivingOf(inputs));
+        frameTimes.push(performance.now() - before);
+        if (frameTimes.length > 600) frameTimes.shift();
+        asked = question;
+        Object.assign(answers, { entry, fewest: null, bounds: null, ranges: entry.entry_ranges });
+        questions.abandon("fewest");
+        const all = inputs.strategy === "fewest";
+        soonFewest(() => all && askFewest(inputs));
+        soonSettled(() => all || listener.settled());
+        askRanges(inputs);
+        return true;
+    };
+
+    const askRanges = (inputs: Inputs) =>
+        soonRanges(() => {
+            const best = answers.entry?.direction_changes;
+            if (best === undefined || inputs.strategy === "fewest" || listener.busy()) return;
+            const more = { ...drivingOf(inputs), max_changes: best + 6 };
+            answers.ranges = snug.entry(inputs.car, slotOf(inputs), more).entry_ranges;
+            listener.changed();
+        });
+
+    /** What is said to be the answer: null while it is searched for. */
+    const final = (inputs: Inputs) => (inputs.strategy === "fewest" ? answers.fewest : answers.entry);
+    return { answers, frameTimes, ask, askRanges, final };
+}
+export type Answers = ReturnType<typeof createAnswers>["answers"];

@@ -1,0 +1,8 @@
+/** Does the last thing it was given, once nothing newer has come for some milliseconds. */
+export const later = (milliseconds: number) => {
+    let timer = 0;
+    return (what: () => void) => {
+        clearTimeout(timer);
+        timer = window.setTimeout(what, milliseconds);
+    };
+};

@@ -1,0 +1,46 @@
+// The shortest slot of this width that does with one change fewer.
+import { byId, setText } from "./dom";
+import { drivingOf, type Inputs } from "./inputs";
+import type { Asker } from "./questions";
+import { plural } from "./words";
+
+const say = (large: string, note: string) => {
+    setText(byId("shorter"), large);
+    setText(byId("shorter-note"), note);
+};
+
+const metres = (more: number) => (more < 0.1 ? `${Math.round(more * 1000)} mm` : `${more.toFixed(3)} m`);
+
+export function createShorter(questions: Asker) {
+    /** The question has changed; its answer is not known yet. */
+    const wait = () => {
+        questions.abandon("min-slot");
+        say("…", "");
+    };
+
+    /** `count`: of the answer; where there is none, any count will do. */
+    const ask = (inputs: Inputs, count: number | undefined) => {
+        const { width, length, car, strategy } = inputs;
+        setText(byId("shorter-title"), count === undefined ? "Shortest slot of this width" : "One change fewer");
+        const most = count === undefined ? (strategy === "fewest" ? 12 : 200) : count - 1;
+        if (most < 0) {
+            say("none needed", "It cannot be fewer than no change at all.");
+            return;
+        }
+        questions.ask("min-slot", "min-slot", { car, width, ...drivingOf(inputs), max_changes: most, strategy }, (told) => {
+            if ("error" in told) {
+                say("–", told.error);
+                return;
+            }
+            const enough = told.row.length;
+            if (enough === null) {
+                say("no length will do", `No slot ${width.toFixed(3)} m wide is long enough; it would have to be wider.`);
+                return;
+            }
+            const more = Math.ceil((enough - length) * 1000 - 1e-6) / 1000;
+            const changes = count === undefined ? "" : ` for ${most} ${plural(most)}`;
+            say(more > 0 ? `+ ${metres(more)}` : "this one", `${(length + Math.max(more, 0)).toFixed(3)} m long${changes}.`);
+        });
+    };
+    return { wait, ask };
+}
