@@ -1,7 +1,5 @@
 // Every process but the first: one thread for the letters, and solve_all() beside it. On the desk between them lie batches
 // that were asked for in time, so that no solver waits for the post, and answers that are to be sent.
-#include <oneapi/tbb/info.h>
-
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -13,6 +11,7 @@
 
 #include "cluster/build.hpp"
 #include "cluster/bytes.hpp"
+#include "cores.hpp"
 
 namespace snug::cluster {
 namespace {
@@ -92,7 +91,7 @@ private:
 /// Returns what went wrong; empty when nothing did.
 std::string work(Mail& mail, const std::string& text) try {
     const Task task = task_from(text);
-    const int threads = task.threads > 0 ? task.threads : tbb::info::default_concurrency();
+    const int threads = threads_at_once(task.threads);
     Desk desk(2 * static_cast<std::size_t>(threads));
     std::string trouble;
     std::thread solver([&] {
