@@ -49,6 +49,7 @@ export function createMap(id: string, label: string, move: (extraLength: number,
         counts.fill(-2);
         paint.clearRect(0, 0, grid.columns, grid.rows);
         setText(state, "computing …");
+        set(root, { "data-done": null });
     };
 
     const fill = (cells: [number, number, number, number, number][], done: boolean) => {
