@@ -1,11 +1,12 @@
 // Many cars from a CSV file, a line each. Nothing that is said of a car can hold a line break, so lines are taken one by one,
 // quoted fields or not, and a quote left open spoils one line and not the rest of the file.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <locale>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <system_error>
 
 #include "car_file.hpp"
@@ -222,13 +223,15 @@ private:
             throw wrong(column, "is empty; write a decimal number in " + unit);
         }
         double value = 0.0;
-        const char* const end = field.data() + field.size();
-        const auto [read, error] = std::from_chars(field.data(), end, value);
-        if (read != end || error == std::errc::invalid_argument || !std::isfinite(value)) {
+        std::istringstream digits(field);
+        digits.imbue(std::locale::classic());
+        const bool read = static_cast<bool>(digits >> value);
+        const bool plain = field.front() != '+' && field.find_first_not_of("0123456789.eE+-") == field.npos;
+        if (!plain || !digits.eof() || (!read && value == 0.0)) {
             throw wrong(column, in_quotes(field) + " is no number; write a decimal number in " + unit);
         }
-        if (error != std::errc()) {
-            throw wrong(column, in_quotes(field) + " is too large or too small for a number; write one in " + unit);
+        if (!read) {
+            throw wrong(column, in_quotes(field) + " is too large for a number; write one in " + unit);
         }
         return value;
     }
