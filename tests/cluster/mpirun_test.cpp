@@ -24,6 +24,7 @@ pid_t start_mpirun(const Folder& folder, int processes, const std::string& comma
     if (child != 0) return child;
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    setenv("ASAN_OPTIONS", "detect_leaks=0", 1);  // Open MPI keeps what it has until the process ends
     std::freopen("/dev/null", "r", stdin);
     std::freopen(folder.file("out").c_str(), "w", stdout);
     std::freopen(folder.file("err").c_str(), "w", stderr);
