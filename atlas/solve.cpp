@@ -1,10 +1,9 @@
 // One cell of an atlas, and all of them on all cores: batches come from a desk, are solved side by side and go back to it.
-#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <atomic>
 #include <cstddef>
-#include <exception>
 #include <mutex>
 #include <utility>
 
@@ -74,60 +73,38 @@ std::optional<CellAnswer> solve(const Car& car, double width, double length, con
 }
 
 void solve_all(const AtlasPlan& plan, const CellDesk& desk, int threads, const std::function<bool()>& go_on) {
-    // oneTBB drops what is under way when an exception crosses it, without freeing it. So none does: the first one is kept, and
-    // what is under way runs out.
-    std::mutex mutex;
-    std::exception_ptr failure;
+    std::mutex at_next;
+    std::mutex at_store;
     std::atomic<bool> failed = false;
-    const auto guarded = [&](const auto& work) {
+    const auto wanted = [&] { return !failed && (!go_on || go_on()); };
+    // Each thread takes a batch, solves it and brings it back, until there is none: nobody waits for anybody else's cells.
+    const auto solve_batches = [&](int) {
         try {
-            work();
+            while (wanted()) {
+                SolvedBatch solved;
+                {
+                    const std::lock_guard lock(at_next);
+                    solved.cells = desk.next();
+                }
+                if (solved.cells.lengths.empty()) return;
+                solved.answers.reserve(solved.cells.lengths.size());
+                for (const double length : solved.cells.lengths) {
+                    if (!wanted()) break;
+                    std::optional<CellAnswer> answer =
+                        solve(plan.cars[solved.cells.car], solved.cells.width, length, plan.options, wanted);
+                    if (!answer) break;
+                    solved.answers.push_back(std::move(*answer));
+                }
+                const std::lock_guard lock(at_store);
+                if (!failed) desk.store(solved);
+            }
         } catch (...) {
-            const std::lock_guard lock(mutex);
-            if (!failure) failure = std::current_exception();
             failed = true;
+            throw;
         }
     };
-    const auto wanted = [&] { return !failed && (!go_on || go_on()); };
-    const auto next = [&](tbb::flow_control& flow) {
-        CellBatch batch;
-        guarded([&] {
-            if (wanted()) batch = desk.next();
-        });
-        if (batch.lengths.empty()) flow.stop();
-        return batch;
-    };
-    const auto solve_batch = [&](CellBatch batch) {
-        SolvedBatch solved;
-        guarded([&] {
-            solved.answers.reserve(batch.lengths.size());
-            for (const double length : batch.lengths) {
-                if (!wanted()) break;
-                std::optional<CellAnswer> answer =
-                    solve(plan.cars[batch.car], batch.width, length, plan.options, wanted);
-                if (!answer) break;
-                solved.answers.push_back(std::move(*answer));
-            }
-        });
-        solved.cells = std::move(batch);
-        return solved;
-    };
-    const auto store = [&](const SolvedBatch& solved) {
-        guarded([&] {
-            if (!failed) desk.store(solved);
-        });
-    };
     tbb::task_arena arena(threads_at_once(threads));
-    arena.execute([&] {
-        const auto at_once =
-            static_cast<std::size_t>(2 * arena.max_concurrency());  // nobody waits, and memory is bounded
-        constexpr auto one_at_a_time = tbb::filter_mode::serial_out_of_order;
-        tbb::parallel_pipeline(at_once,
-                               tbb::make_filter<void, CellBatch>(one_at_a_time, next) &
-                                   tbb::make_filter<CellBatch, SolvedBatch>(tbb::filter_mode::parallel, solve_batch) &
-                                   tbb::make_filter<SolvedBatch, void>(one_at_a_time, store));
-    });
-    if (failure) std::rethrow_exception(failure);
+    arena.execute([&] { tbb::parallel_for(0, arena.max_concurrency(), solve_batches, tbb::simple_partitioner{}); });
 }
 
 }  // namespace snug
