@@ -12,8 +12,10 @@
 #include <system_error>
 #include <utility>
 
+#include "atlas_format.hpp"
 #include "check.hpp"
 #include "schema.hpp"
+#include "seal.hpp"
 #include "snug/atlas_database.hpp"
 #include "snug/version.hpp"
 #include "spelling.hpp"
@@ -51,6 +53,13 @@ public:
     }
     /// After the database is closed, for the same reason.
     ~BuildLock() { close(descriptor_); }
+    /// Whether the file is still where it was.
+    [[nodiscard]] bool holds(const std::string& path) const {
+        struct stat here = {};
+        struct stat there = {};
+        return fstat(descriptor_, &here) == 0 && stat(path.c_str(), &there) == 0 && here.st_dev == there.st_dev &&
+               here.st_ino == there.st_ino;
+    }
     BuildLock(const BuildLock&) = delete;
     BuildLock& operator=(const BuildLock&) = delete;
 
@@ -71,6 +80,10 @@ void check_plan(const AtlasPlan& plan) {
     if (plan.widths.empty() || plan.lengths.empty()) throw Error("an atlas needs widths and lengths of slots");
     for (const double width : plan.widths) check_between("slot width", width, 1e-6, 1e6, " m");
     for (const double length : plan.lengths) check_between("slot length", length, 1e-6, 1e6, " m");
+    const double cells = static_cast<double>(plan.cars.size()) * static_cast<double>(plan.widths.size()) *
+                         static_cast<double>(plan.lengths.size());
+    if (cells > static_cast<double>(atlas_format::most_cells))
+        throw Error("an atlas of " + spelled(cells) + " cells is too large; it has at most 2^40, so take larger steps");
 }
 
 /// "1.8 to 2.4 m"
@@ -149,6 +162,9 @@ struct AtlasBuild::State {
         Statement count(connection, "SELECT count(*) FROM cell");
         count.row();
         progress.stored = committed = static_cast<std::uint64_t>(count.integer(0));
+        if (progress.stored > progress.cells)
+            throw damaged(path, "it has " + std::to_string(progress.stored) + " cells for " +
+                                    std::to_string(progress.cells) + " slots");
     }
 
     /// Makes the tables, or checks that the plan goes with them, and adds what is new: all of it or nothing.
@@ -158,11 +174,11 @@ struct AtlasBuild::State {
         if (is_new) {
             create_tables(connection, asked.options);
         } else {
-            check_goes_together(read_plan(connection), asked, path);
+            check_goes_together(read_plan(connection, path), asked, path);
         }
         add_missing(connection, asked);
         connection.run("COMMIT");
-        return read_plan(connection);
+        return read_plan(connection, path);
     }
 
     /// The lengths of one car and one width that are not stored.
@@ -176,11 +192,12 @@ struct AtlasBuild::State {
         return rest;
     }
 
-    void insert(std::int64_t car_id, double slot_width, double slot_length, const CellAnswer& answer) {
+    void insert(std::size_t of_car, double slot_width, double slot_length, const CellAnswer& answer) {
         const bool has_entry = !answer.moves.empty();
         const auto entry = [&](double part) { return has_entry ? std::optional<double>(part) : std::nullopt; };
-        cell.run(car_id, slot_width, slot_length, answer.direction_changes, answer.lower_bound, answer.proved,
-                 entry(answer.entry.x), entry(answer.entry.y), entry(answer.entry.heading));
+        cell.run(stored.car_ids[of_car], slot_width, slot_length, answer.direction_changes, answer.lower_bound,
+                 answer.proved, entry(answer.entry.x), entry(answer.entry.y), entry(answer.entry.heading),
+                 seal(plan.options, stored.made_by, plan.cars[of_car], slot_width, slot_length, answer));
         const std::int64_t id = sqlite3_last_insert_rowid(connection.handle());
         int number = 0;
         for (const HeadingRange& each : answer.ranges)
@@ -211,6 +228,10 @@ struct AtlasBuild::State {
         if (sqlite3_get_autocommit(connection.handle()) == 0)
             sqlite3_exec(connection.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
         in_transaction = false;
+        if (!lock.holds(path))
+            throw Error(in_quotes(path) + " was removed or replaced while it was being built, and what it held is " +
+                        "gone; leave it there and run the same command again");
+        if (error.code() == SQLITE_CORRUPT) throw error;
         const bool full = error.code() == SQLITE_FULL;
         throw Error(std::string(error.what()) + "; " + std::to_string(committed) + " of " +
                     std::to_string(progress.cells) + " cells are stored; " +
@@ -238,7 +259,7 @@ struct AtlasBuild::State {
     Statement row{connection, "SELECT length FROM cell WHERE car = ? AND width = ? ORDER BY length"};
     Statement cell{connection,
                    "INSERT INTO cell (car, width, length, direction_changes, lower_bound, proved, entry_x, entry_y, "
-                   "entry_heading) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+                   "entry_heading, seal) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
     Statement range{connection, "INSERT INTO entry_range VALUES (?, ?, ?, ?, ?, ?)"};
     Statement move{connection, "INSERT INTO move VALUES (?, ?, ?, ?, ?, ?, ?)"};
 };
@@ -285,8 +306,7 @@ void AtlasBuild::store(const SolvedBatch& solved) {
         if (!state.in_transaction) state.connection.run("BEGIN IMMEDIATE");
         state.in_transaction = true;
         for (std::size_t i = 0; i < solved.answers.size(); ++i)
-            state.insert(state.stored.car_ids[solved.cells.car], solved.cells.width, solved.cells.lengths[i],
-                         solved.answers[i]);
+            state.insert(solved.cells.car, solved.cells.width, solved.cells.lengths[i], solved.answers[i]);
         state.progress.stored += solved.answers.size();
         state.progress.solved += solved.answers.size();
         if (Clock::now() >= state.next_commit) state.commit();

@@ -1,9 +1,13 @@
 // Reading the database: one cell, or all of them in order.
 #include "snug/atlas_database.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "check.hpp"
 #include "schema.hpp"
+#include "seal.hpp"
+#include "spelling.hpp"
 #include "sqlite.hpp"
 
 namespace snug {
@@ -18,9 +22,11 @@ std::optional<Contact> contact_of(const Statement& row, int part, int obstacle) 
 }  // namespace
 
 struct AtlasDatabase::State {
-    explicit State(const std::string& path) : connection(open_database(path, false)), stored(read_plan(connection)) {}
+    explicit State(const std::string& file)
+        : path(file), connection(open_database(file, false)), stored(read_plan(connection, file)) {}
 
-    CellAnswer answer(const Statement& row) {
+    /// Throws Error when it is not what was stored.
+    CellAnswer answer(std::size_t car, const Statement& row) {
         CellAnswer answer;
         if (!row.is_null(2)) answer.direction_changes = row.small(2);
         answer.lower_bound = row.small(3);
@@ -35,18 +41,23 @@ struct AtlasDatabase::State {
             const Direction direction = moves.small(0) > 0 ? Direction::forward : Direction::backward;
             answer.moves.push_back({direction, moves.real(1), moves.real(2), contact_of(moves, 3, 4)});
         }
+        const Car& asked = stored.plan.cars[car];
+        if (row.integer(9) != seal(stored.plan.options, stored.made_by, asked, row.real(0), row.real(1), answer))
+            throw damaged(path, "its answer for " + in_quotes(asked.name()) + " in the slot of " +
+                                    spelled(row.real(1)) + " x " + spelled(row.real(0)) + " m is not what was stored");
         return answer;
     }
 
+    std::string path;
     Connection connection;
     StoredPlan stored;
     Statement count{connection, "SELECT count(*) FROM cell"};
     Statement one{connection,
-                  "SELECT width, length, direction_changes, lower_bound, proved, entry_x, entry_y, entry_heading, id "
-                  "FROM cell WHERE car = ? AND width = ? AND length = ?"};
+                  "SELECT width, length, direction_changes, lower_bound, proved, entry_x, entry_y, entry_heading, id, "
+                  "seal FROM cell WHERE car = ? AND width = ? AND length = ?"};
     Statement all{connection,
-                  "SELECT width, length, direction_changes, lower_bound, proved, entry_x, entry_y, entry_heading, id "
-                  "FROM cell WHERE car = ? ORDER BY width, length"};
+                  "SELECT width, length, direction_changes, lower_bound, proved, entry_x, entry_y, entry_heading, id, "
+                  "seal FROM cell WHERE car = ? ORDER BY width, length"};
     Statement ranges{connection,
                      "SELECT heading_min, heading_max, direction_changes, subrange FROM entry_range WHERE cell = ? "
                      "ORDER BY number"};
@@ -70,23 +81,27 @@ std::uint64_t AtlasDatabase::stored() const {
 std::optional<CellAnswer> AtlasDatabase::cell(std::size_t car, double width, double length) const {
     Statement& row = state_->one.with(state_->stored.car_ids.at(car), width, length);
     if (!row.row()) return std::nullopt;
-    return state_->answer(row);
+    return state_->answer(car, row);
 }
 
 void AtlasDatabase::each(const std::function<bool(std::size_t, double, double, const CellAnswer&)>& take) const {
     for (std::size_t car = 0; car < plan().cars.size(); ++car) {
         Statement& row = state_->all.with(state_->stored.car_ids[car]);
         while (row.row())
-            if (!take(car, row.real(0), row.real(1), state_->answer(row))) return;
+            if (!take(car, row.real(0), row.real(1), state_->answer(car, row))) return;
     }
 }
 
 std::string AtlasDatabase::trouble() const {
     Statement check(state_->connection, "PRAGMA integrity_check(1)");
-    const std::string said = check.row() ? check.text(0) : "";
+    std::string said = check.row() ? check.text(0) : "";
+    std::replace(said.begin(), said.end(), '\n', ' ');
     if (said != "ok") return said;
     Statement keys(state_->connection, "PRAGMA foreign_key_check");
-    return keys.row() ? "a row of " + keys.text(0) + " belongs to no row of " + keys.text(2) : "";
+    if (keys.row()) return "a row of " + keys.text(0) + " belongs to no row of " + keys.text(2);
+    return stored() > cells()
+               ? "it has " + std::to_string(stored()) + " cells for " + std::to_string(cells()) + " slots"
+               : "";
 }
 
 }  // namespace snug

@@ -1,5 +1,6 @@
 #include "schema.hpp"
 
+#include "check.hpp"
 #include "snug/version.hpp"
 #include "spelling.hpp"
 
@@ -22,7 +23,7 @@ CREATE TABLE cell (
     car INTEGER NOT NULL REFERENCES car, width REAL NOT NULL REFERENCES slot_width,
     length REAL NOT NULL REFERENCES slot_length,
     direction_changes INTEGER, lower_bound INTEGER NOT NULL, proved INTEGER NOT NULL,
-    entry_x REAL, entry_y REAL, entry_heading REAL,
+    entry_x REAL, entry_y REAL, entry_heading REAL, seal INTEGER NOT NULL,
     UNIQUE (car, width, length));
 CREATE TABLE entry_range (
     cell INTEGER NOT NULL REFERENCES cell, number INTEGER NOT NULL,
@@ -52,11 +53,14 @@ int pragma(const Connection& connection, const char* question) {
     return statement.row() ? statement.small(0) : 0;
 }
 
-std::vector<double> read_numbers(const Connection& connection, const char* question) {
-    std::vector<double> numbers;
+std::vector<double> read_sizes(const Connection& connection, const char* question) {
+    std::vector<double> sizes;
     Statement statement(connection, question);
-    while (statement.row()) numbers.push_back(statement.real(0));
-    return numbers;
+    while (statement.row()) {
+        sizes.push_back(statement.real(0));
+        check_between("size of a slot", sizes.back(), 1e-6, 1e6, " m");
+    }
+    return sizes;
 }
 
 }  // namespace
@@ -108,7 +112,7 @@ Connection open_database(const std::string& path, bool may_be_empty) {
     }
 }
 
-StoredPlan read_plan(const Connection& connection) {
+StoredPlan read_plan(const Connection& connection, const std::string& path) try {
     StoredPlan stored;
     AtlasOptions& options = stored.plan.options;
     Statement provenance(connection, "SELECT key, value FROM provenance");
@@ -130,9 +134,17 @@ StoredPlan read_plan(const Connection& connection) {
         stored.plan.cars.emplace_back(
             CarDimensions{cars.real(2), cars.real(3), cars.real(4), cars.real(5), cars.real(6)}, cars.text(1));
     }
-    stored.plan.widths = read_numbers(connection, "SELECT width FROM slot_width ORDER BY width");
-    stored.plan.lengths = read_numbers(connection, "SELECT length FROM slot_length ORDER BY length");
+    stored.plan.widths = read_sizes(connection, "SELECT width FROM slot_width ORDER BY width");
+    stored.plan.lengths = read_sizes(connection, "SELECT length FROM slot_length ORDER BY length");
     return stored;
+} catch (const SqliteError&) {
+    throw;
+} catch (const Error& error) {
+    throw damaged(path, error.what());
+}
+
+Error damaged(const std::string& path, const std::string& why) {
+    return Error(in_quotes(path) + " is damaged: " + why + "; restore a copy, or build it again");
 }
 
 std::uint64_t count_cells(const AtlasPlan& plan) {

@@ -24,7 +24,11 @@ void create_tables(Connection& connection, const AtlasOptions& options);
 Connection open_database(const std::string& path, bool may_be_empty);
 bool is_empty(const Connection& connection);
 
-StoredPlan read_plan(const Connection& connection);
+/// Throws Error when what is written there cannot be.
+StoredPlan read_plan(const Connection& connection, const std::string& path);
+
+/// The error for a database that does not hold what was stored in it.
+Error damaged(const std::string& path, const std::string& why);
 
 /// "max-steer", "fewest"
 std::string_view to_string(AtlasStrategy strategy);

@@ -74,6 +74,7 @@ std::optional<CellAnswer> solve(const Car& car, double width, double length, con
 
 void solve_all(const AtlasPlan& plan, const CellDesk& desk, int threads, const std::function<bool()>& go_on) {
     std::mutex at_next;
+    bool none_left = false;
     std::mutex at_store;
     std::atomic<bool> failed = false;
     const auto wanted = [&] { return !failed && (!go_on || go_on()); };
@@ -84,7 +85,8 @@ void solve_all(const AtlasPlan& plan, const CellDesk& desk, int threads, const s
                 SolvedBatch solved;
                 {
                     const std::lock_guard lock(at_next);
-                    solved.cells = desk.next();
+                    if (!none_left) solved.cells = desk.next();
+                    none_left = solved.cells.lengths.empty();
                 }
                 if (solved.cells.lengths.empty()) return;
                 solved.answers.reserve(solved.cells.lengths.size());

@@ -1,6 +1,7 @@
 #include "sqlite.hpp"
 
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 
 #include "spelling.hpp"
@@ -11,14 +12,25 @@ namespace {
 
 constexpr int patience = 20000;  // for a commit or a reader in another process [ms]
 
+/// What to do about it, where SQLite's own words leave that open.
+std::string advice(int code) {
+    if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) return "; it is damaged: restore a copy, or build it again";
+    return code == SQLITE_CANTOPEN ? "; the folder it is in has to be writable, for the journal beside it" : "";
+}
+
 [[noreturn]] void fail(sqlite3* connection, int code) {
     const std::string path = sqlite3_db_filename(connection, "main");
-    throw SqliteError(code, in_quotes(path.substr(path.rfind('/') + 1)) + ": " + sqlite3_errmsg(connection));
+    throw SqliteError(code,
+                      in_quotes(path.substr(path.rfind('/') + 1)) + ": " + sqlite3_errmsg(connection) + advice(code));
 }
 
 }  // namespace
 
 Connection::Connection(const std::string& path) {
+    std::error_code none;
+    const std::filesystem::file_status status = std::filesystem::status(path, none);
+    if (std::filesystem::is_other(status))
+        throw Error(in_quotes(path) + " is no file; give a database that snug atlas build has made");
     // The name is a path, whatever it looks like: "./" keeps SQLite from taking ":memory:" or "file:..." for more.
     const std::string name = path.substr(0, 1) == "/" ? path : "./" + path;
     const int code = sqlite3_open_v2(name.c_str(), &handle_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, nullptr);

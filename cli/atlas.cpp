@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "cli/menu.hpp"
+#include "cli/progress.hpp"
 #include "snug/error.hpp"
 #include "spelling.hpp"
 
@@ -42,7 +44,17 @@ std::string db(const Options& options) {
     return *path;
 }
 
+std::string output_beside(const Options& options, const std::string& atlas) {
+    std::string path = output(options);
+    std::error_code none;
+    if (!path.empty() && std::filesystem::equivalent(path, atlas, none))
+        throw Error("--output: " + in_quotes(path) + " is the atlas itself; give another file");
+    return path;
+}
+
 bool is_exported(const std::string& path) {
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(path, none)) return false;  // reading a pipe could take for ever
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     char head[8] = {};
     return file && std::fread(head, 1, sizeof head, file.get()) == sizeof head &&
@@ -66,6 +78,19 @@ std::size_t find_in_atlas(const std::string& name, const std::vector<std::string
     const std::optional<std::string> nearest = nearest_word(name, cars);
     throw Error("--car: " + in_quotes(name) + " is not in the atlas; " +
                 (nearest ? "did you mean " + printable(*nearest) + "? " : "") + there);
+}
+
+void each_cell(const AtlasDatabase& database,
+               const std::function<void(std::size_t, double, double, const CellAnswer&)>& take) {
+    const std::function<bool(double)> progress = show_progress();
+    const double cells = static_cast<double>(database.cells());
+    double done = 0.0;
+    database.each([&](std::size_t car, double width, double length, const CellAnswer& answer) {
+        take(car, width, length, answer);
+        if (progress) progress(++done / cells);
+        return true;
+    });
+    if (progress) wipe_progress();
 }
 
 }  // namespace snug::cli

@@ -25,6 +25,9 @@ void add_db(Options& options, const std::string& help);
 /// The file after --db. Throws Error when it is missing.
 std::string db(const Options& options);
 
+/// The file after --output; empty when it is missing. Throws Error when it is the atlas that is read.
+std::string output_beside(const Options& options, const std::string& atlas);
+
 /// Whether the file begins like an exported atlas; what else it is, whoever opens it will say.
 bool is_exported(const std::string& path);
 
@@ -33,5 +36,9 @@ std::string extent(std::size_t cars, std::size_t widths, std::size_t lengths);
 
 /// The place of a car among those of an atlas. Throws Error that lists what there is.
 std::size_t find_in_atlas(const std::string& name, const std::vector<std::string>& cars);
+
+/// Takes the cells one after the other, as AtlasDatabase::each() does, and shows how far it has come.
+void each_cell(const AtlasDatabase& database,
+               const std::function<void(std::size_t car, double width, double length, const CellAnswer&)>& take);
 
 }  // namespace snug::cli

@@ -92,14 +92,22 @@ int build_and_report(const std::string& path, const AtlasPlan& plan, AtlasBuildO
     const Clock::time_point begin = Clock::now();
     const Interruptible interruptible;
     options.progress = show_cells();
+    if (options.progress) {
+        const AtlasPlan& whole = database.plan();
+        complain(extent(whole.cars.size(), whole.widths.size(), whole.lengths.size()) + ", of which " +
+                 std::to_string(database.progress().stored) + " are stored");
+    }
     options.go_on = [] { return interruption() == 0; };
     const bool complete = build(database, options);
     if (options.progress) wipe_progress();
     const AtlasProgress progress = database.progress();
+    if (!complete && interruption() == 0)
+        throw Error(in_quotes(path) + " is damaged: nothing is missing, and yet it has " + of_cells(progress) +
+                    "; restore a copy, or build it again");
     if (!complete) {
         complain("snug atlas: interrupted; " + of_cells(progress) + " are stored in " + in_quotes(path) +
                  "; the same command goes on from there");
-        return interruption() != 0 ? interruption() : undecided;
+        return interruption();
     }
     const double seconds = seconds_since(begin);
     const std::string rate =
@@ -120,8 +128,9 @@ Action parse_atlas_build(const Arguments& arguments, const Build& build) {
     options.add(
         "--cars", "CARS",
         "all, or names that `snug cars` lists, car files, or\na CSV file as `snug cars --format csv` prints it.");
-    options.add("--width", "RANGE", "Widths of slots [m].");
-    options.add("--length", "RANGE", "Lengths of slots [m].");
+    options.add("--width", "RANGE",
+                "Widths of slots [m]: from:to:step, both ends among them,\nor a list such as 1.8,2,2.5.");
+    options.add("--length", "RANGE", "Lengths of slots [m], likewise.");
     options.group("Question");
     options.add("--strategy", "NAME",
                 "max-steer (default): full steering until contact;\nfewest: over all maneuvers, with proof.");

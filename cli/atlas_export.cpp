@@ -1,7 +1,6 @@
 // snug atlas export: the database as CSV, or as the compact file that cars read.
 #include "cli/atlas.hpp"
 #include "cli/output.hpp"
-#include "cli/progress.hpp"
 #include "cli/table.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
@@ -17,8 +16,9 @@ constexpr const char* purpose =
 
 constexpr const char* examples =
     "The file's ending decides: .csv or .atlas. In CSV the heading range is the widest\n"
-    "with the fewest direction changes, and cells that are not solved are left out. A\n"
-    "compact file holds all cells, with their maneuvers.\n\n"
+    "with the fewest direction changes, and cells that are not solved are left out;\n"
+    "lower_bound and proved tell of fewest and are 0 with max-steer. A compact file\n"
+    "holds all cells, with their maneuvers.\n\n"
     "Examples:\n"
     "  snug atlas export --db five.sqlite > five.csv\n"
     "  snug atlas export --db five.sqlite -o five.atlas\n\n"
@@ -26,20 +26,6 @@ constexpr const char* examples =
 
 bool ends_with(const std::string& text, const std::string& end) {
     return text.size() > end.size() && text.substr(text.size() - end.size()) == end;
-}
-
-/// Tells the part done and takes the cells, one after the other.
-template <class Take>
-void each_cell(const AtlasDatabase& database, const Take& take) {
-    const std::function<bool(double)> progress = show_progress();
-    const double cells = static_cast<double>(database.cells());
-    double done = 0.0;
-    database.each([&](std::size_t car, double width, double length, const CellAnswer& answer) {
-        take(car, width, length, answer);
-        if (progress) progress(++done / cells);
-        return true;
-    });
-    if (progress) wipe_progress();
 }
 
 void write_csv(const AtlasDatabase& database, const AtlasWriter::Sink& sink) {
@@ -77,24 +63,27 @@ Action parse_atlas_export(const Arguments& arguments) {
     options.add("-o,--output", "FILE", "Ends with .csv or .atlas; without it, CSV to\nstandard output.");
     if (!options.read(arguments)) return say(options.help());
     const std::string from = db(options);
-    const std::string to = output(options);
+    const std::string to = output_beside(options, from);
     const bool csv = to.empty() || ends_with(to, ".csv");
     if (!csv && !ends_with(to, ".atlas"))
         throw Error("--output: " + in_quotes(to) + " has no known ending; end it with .csv or .atlas");
     if (is_exported(from)) throw Error("--db: " + in_quotes(from) + " is exported already; give the database");
     return [from, to, csv] {
         const AtlasDatabase database(from);
-        if (const std::uint64_t stored = database.stored(); !csv && stored != database.cells())
-            throw Error(in_quotes(from) + " has " + std::to_string(stored) + " of " + std::to_string(database.cells()) +
-                        " cells; complete it with snug atlas build first");
+        const std::uint64_t stored = database.stored();
+        const std::string some = stored == database.cells() ? ""
+                                                            : in_quotes(from) + " has " + std::to_string(stored) +
+                                                                  " of " + std::to_string(database.cells()) + " cells";
+        if (!csv && !some.empty()) throw Error(some + "; complete it with snug atlas build first");
         if (to.empty()) {
             write_csv(database, print);
-            return solved;
+        } else {
+            FileInParts file("--output", to);
+            const AtlasWriter::Sink sink = [&](std::string_view bytes) { file.write(bytes); };
+            csv ? write_csv(database, sink) : write_compact(database, sink);
+            file.finish();
         }
-        FileInParts file("--output", to);
-        const AtlasWriter::Sink sink = [&](std::string_view bytes) { file.write(bytes); };
-        csv ? write_csv(database, sink) : write_compact(database, sink);
-        file.finish();
+        if (!some.empty()) complain("snug atlas: " + some + ", all of which are written");
         return solved;
     };
 }

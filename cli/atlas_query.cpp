@@ -206,16 +206,17 @@ Action parse_atlas_query(const Arguments& arguments) {
     options.group("Car");
     options.add("--car", "CAR", "A name of the atlas.");
     add_slot(options);
-    add_output(options);
+    add_output(options, "text (default) or json.");
     if (!options.read(arguments)) return say(options.help());
     const Format chosen = format(options);
     if (chosen == Format::csv)
         throw Error("--format: csv is for whole tables, which snug atlas export writes; write text or json");
-    return [question = std::make_shared<const Question>(open(options)), chosen, path = output(options)] {
+    return [question = std::make_shared<const Question>(open(options)), chosen, from = db(options),
+            path = output_beside(options, db(options))] {
         const Asked& asked = question->asked;
         const AtlasAnswer found = asked.atlas->look_up(asked.car, question->slot.length(), question->slot.width());
         if (found.verdict == AtlasVerdict::damaged)
-            throw Error("--db: the part of the atlas that holds the answer is damaged; export it again");
+            throw Error(in_quotes(from) + ": the part that holds the answer is damaged; copy or export it again");
         put_out(path, chosen == Format::json ? json(*question, found) : text(*question, found));
         return exit_code(found.verdict);
     };

@@ -15,8 +15,8 @@ namespace snug::cli {
 namespace {
 
 constexpr const char* purpose =
-    "Checks all of an atlas, a database or an exported file, and on demand solves some\n"
-    "of its cells again.";
+    "Checks that an atlas, a database or an exported file, holds what was stored in it,\n"
+    "every cell, and on demand solves some of its cells again.";
 
 constexpr const char* examples =
     "Examples:\n"
@@ -111,7 +111,7 @@ int verify_exported(const std::string& path, int count) {
     };
     solve_some(cells, count);
     print(path + ": whole. " + extent(atlas.cars(), atlas.widths(), atlas.lengths()) + " in " +
-          std::to_string(atlas.blocks()) + " blocks." + again(count) + '\n');
+          std::to_string(atlas.blocks()) + (atlas.blocks() == 1 ? " block." : " blocks.") + again(count) + '\n');
     return solved;
 }
 
@@ -120,6 +120,7 @@ int verify_database(const std::string& path, int count) {
     const AtlasPlan& plan = database.plan();
     if (const std::string trouble = database.trouble(); !trouble.empty())
         throw Error(in_quotes(path) + " is damaged: " + trouble + "; restore a copy, or build it again");
+    each_cell(database, [](std::size_t, double, double, const CellAnswer&) {});  // looks at every one
     Cells cells = {plan.options, plan.cars, plan.widths, plan.lengths, {}};
     cells.at = [&](std::size_t car, std::size_t width, std::size_t length) {
         return database.cell(car, plan.widths[width], plan.lengths[length]);

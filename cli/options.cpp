@@ -200,9 +200,9 @@ void add_fewest(Options& options) {
     options.add("--time-limit", "S", "fewest: end with the bounds found by then [s].");
 }
 
-void add_output(Options& options) {
+void add_output(Options& options, const std::string& formats) {
     options.group("Output");
-    options.add("--format", "FORMAT", "text (default), json or csv.");
+    options.add("--format", "FORMAT", formats);
     options.add("-o,--output", "FILE", "Write the answer there, whole or not at all.");
 }
 

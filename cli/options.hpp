@@ -47,7 +47,7 @@ void add_slot(Options& options);
 void add_driving(Options& options);   // clearance, enter
 void add_strategy(Options& options);  // strategy and its steps
 void add_fewest(Options& options);    // what the search over all maneuvers is limited to
-void add_output(Options& options);    // format, output
+void add_output(Options& options, const std::string& formats = "text (default), json or csv.");  // format, output
 void add_threads(Options& options);
 
 // Each answers with the checked values.

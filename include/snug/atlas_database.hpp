@@ -64,7 +64,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Where cells come from and answers go. Neither is called from two threads at once.
+/// Where cells come from and answers go. Neither is called from two threads at once, nor `next` again once it had none.
 struct CellDesk {
     std::function<CellBatch()> next;
     std::function<void(const SolvedBatch&)> store;

@@ -81,6 +81,46 @@ TEST(Atlas, StoredSlotsAreAnsweredAsByEntry) {
     }
 }
 
+TEST(Atlas, IsNotOverwrittenByItsAnswers) {
+    const Folder folder;
+    const std::string database = folder.file("a.sqlite");
+    const std::string exported = folder.file("a.atlas");
+    run(build(database));
+    run("atlas export --db " + database + " -o " + exported);
+    for (const std::string& file : {database, exported}) {
+        const std::string before = contents(file);
+        for (const std::string ending : {".csv", ".atlas"}) {
+            const std::string link = file + ending;
+            std::filesystem::create_symlink(file, link);
+            for (const std::string& to : {file, link, folder.file("./" + file.substr(file.rfind('/') + 1))}) {
+                expect_refusal(run("atlas query --db " + file + " --car opel-corsa --length 5 --width 2 -o " + to),
+                               {"--output", "is the atlas itself"});
+                if (to.find(ending) != to.npos) {
+                    EXPECT_EQ(run("atlas export --db " + file + " -o " + to).exit_code, 2) << to;
+                }
+            }
+        }
+        EXPECT_EQ(contents(file), before);
+    }
+}
+
+TEST(Atlas, SaysWhatIsMissing) {
+    const Folder folder;
+    const std::string file = folder.file("a.sqlite");
+    run(build(file));
+    ASSERT_EQ(std::system(("sqlite3 " + file +
+                           " 'DELETE FROM move WHERE cell = 5; DELETE FROM entry_range WHERE cell = 5; "
+                           "DELETE FROM cell WHERE id = 5'")
+                              .c_str()),
+              0);
+    EXPECT_EQ(run("atlas verify --db " + file).exit_code, 3);
+    const Result rows = run("atlas export --db " + file);
+    EXPECT_EQ(std::count(rows.out.begin(), rows.out.end(), '\n'), 90);
+    EXPECT_NE(rows.err.find("89 of 90 cells"), std::string::npos) << rows.err;
+    expect_refusal(run("atlas export --db " + file + " -o " + folder.file("a.atlas")),
+                   {"89 of 90 cells", "complete it"});
+}
+
 TEST(Atlas, BetweenGridPointsItSaysWhichCellItUsed) {
     const Folder folder;
     run(build(folder.file("a.sqlite")));
@@ -253,6 +293,9 @@ TEST(Atlas, WrongInputIsToldAndNothingIsStarted) {
     expect_refusal(run("atlas verify --db " + bad), {"bad.csv", "no database"});
     ASSERT_EQ(run("atlas export --db " + file + " -o " + folder.file("a.atlas")).exit_code, 0);
     expect_refusal(run("atlas export --db " + folder.file("a.atlas")), {"exported already"});
+    expect_refusal(run("atlas query --db /dev/zero --car opel-corsa" + sizes), {"/dev/zero", "is no file"});
+    expect_refusal(run("atlas build --db " + file + " --cars all --width 1:1000:0.001 --length 1:1000:0.001"),
+                   {"2^40"});
     std::string damaged = contents(folder.file("a.atlas"));
     damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);
     expect_refusal(run("atlas verify --db " + folder.with("b.atlas", damaged)), {"b.atlas", "damaged"});
