@@ -38,7 +38,7 @@ Connection::Connection(const std::string& path) {
         const int reason = handle_ == nullptr ? ENOMEM : sqlite3_system_errno(handle_);
         sqlite3_close(handle_);
         throw SqliteError(code, in_quotes(path) + " cannot be read: " + std::generic_category().message(reason) +
-                                    "; give a database that snug atlas build has made");
+                                    "; give a file that snug atlas build has made");
     }
     sqlite3_busy_timeout(handle_, patience);
 }
