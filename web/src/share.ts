@@ -1,6 +1,6 @@
 // Taking it away: a link, a command, files.
 import type { EntryAnswer, FewestAnswer } from "snug";
-import { byId, setText } from "./dom";
+import { byId, html, setText } from "./dom";
 import { asPng, rangesCsv, save, standalone } from "./download";
 import { commandLine, plain, toLink, type Inputs } from "./inputs";
 
@@ -34,6 +34,12 @@ export function createShare(inputs: () => Inputs, answer: () => EntryAnswer | Fe
     click("save-json", () => answerFile("json", "application/json", (found) => JSON.stringify(found, null, 2) + "\n"));
     click("save-csv", () => answerFile("csv", "text/csv", (found) => rangesCsv(found.entry_ranges)));
 
-    const show = () => setText(byId("command"), commandLine(inputs()));
+    // An option and its value stay on one line.
+    const command = byId("command");
+    const show = () => {
+        const line = commandLine(inputs());
+        if (command.textContent === line) return;
+        command.replaceChildren(...line.split(/(--\S+ \S+)/).map((part) => (part.startsWith("--") ? html("span", {}, part) : part)));
+    };
     return { show };
 }
