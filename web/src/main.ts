@@ -63,7 +63,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
         changed: refresh,
         settled: () => shorter.ask(inputs, final(inputs)?.direction_changes),
         failed: (sentence) => trouble(sentence),
-        busy: () => drawing.busy(),
+        busy: () => drawing.busy() || maps.busy(),
     });
     const maps = createMaps(questions, (extraLength, extraWidth) => {
         const { car } = inputs;

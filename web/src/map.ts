@@ -95,5 +95,5 @@ export function createMap(id: string, label: string, move: (extraLength: number,
         event.preventDefault();
         move(extra.length + step[0]!, extra.width + step[1]!);
     });
-    return { show, clear, fill, state: (text: string) => setText(state, text) };
+    return { show, clear, fill, busy: () => dragging, state: (text: string) => setText(state, text) };
 }
