@@ -76,7 +76,10 @@ function run(snug: Snug, module: WebAssembly.Module) {
     const share = createShare(now, () => final(inputs));
     const swept = byId<HTMLInputElement>("swept");
     swept.addEventListener("change", refresh);
-    byId("best").addEventListener("click", () => change({ ...inputs, heading: null }));
+    byId("best").addEventListener("click", () => {
+        change({ ...inputs, heading: null });
+        byId("answer").focus({ preventScroll: true }); // the button goes, the keyboard's place stays
+    });
 
     const soonLink = later(300);
     function frame() {
@@ -168,6 +171,7 @@ async function begin() {
 
 begin().catch((error: unknown) => {
     const trouble = byId("trouble");
+    document.documentElement.dataset.broken = "";
     setText(trouble, error instanceof Error ? error.message : String(error));
     trouble.hidden = false;
 });
