@@ -119,7 +119,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
             forward,
             clearance,
             heading,
-            ranges: answers.ranges,
+            ranges: answers.fewest && !run ? [] : answers.ranges, // full steering's
             track: way,
             parked: run ? run.outcome === "parked" : true,
             swept: swept.checked,

@@ -32,7 +32,10 @@ export function createShare(inputs: () => Inputs, answer: () => EntryAnswer | Fe
     click("save-svg", () => file("svg", new Blob([standalone(picture)], { type: "image/svg+xml" })));
     click("save-png", () => asPng(picture).then((png) => file("png", png), (error: unknown) => say(String(error))));
     click("save-json", () => answerFile("json", "application/json", (found) => JSON.stringify(found, null, 2) + "\n"));
-    click("save-csv", () => answerFile("csv", "text/csv", (found) => rangesCsv(found.entry_ranges)));
+    click("save-csv", () => {
+        if (inputs().strategy === "fewest") say("CSV lists ranges of headings, but all maneuvers have none; take JSON.");
+        else answerFile("csv", "text/csv", (found) => rangesCsv(found.entry_ranges));
+    });
 
     // An option and its value stay on one line.
     const command = byId("command");

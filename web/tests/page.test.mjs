@@ -152,6 +152,8 @@ test("the fewest over all maneuvers are proved in a worker, and abandoned when t
     await type(page, "width", "1.84");
     await proved(page);
     assert.equal(await text(page, "count"), "8");
+    await page.locator("#save-csv").click();
+    assert.match(await text(page, "shared"), /take JSON/);
     await page.context().close();
 });
 
