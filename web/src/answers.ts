@@ -62,9 +62,11 @@ export function createAnswers(snug: Snug, questions: Asker, listener: Listener) 
             if (question === asked) {
                 if ("error" in told) listener.failed(told.error);
                 else {
+                    const fits = (answer: EntryAnswer | null) => answer?.direction_changes !== undefined;
+                    const same = !fits(told.answer) && !fits(answers.entry);
                     Object.assign(answers, { entry: told.answer, ranges: told.answer.entry_ranges, late: false });
-                    if (inputs.strategy === "max-steer") listener.settled();
-                    listener.changed();
+                    soonSettled(() => inputs.strategy === "fewest" || listener.settled());
+                    if (!same) listener.changed();
                 }
             }
             const then = next;
