@@ -21,6 +21,8 @@ export function createAnswers(snug: Snug, questions: Asker, listener: Listener) 
         bounds: null as FewestProgress | null,
         /** For the fan: the best ranges, and a little later those of more changes. */
         ranges: [] as HeadingRange[],
+        /** These are the last slot's still: this one takes more than a few changes, if it can be entered at all. */
+        late: false,
     };
     /** How long the solver took in the last frames, for the tests. [ms] */
     const frameTimes: number[] = [];
@@ -43,20 +45,55 @@ export function createAnswers(snug: Snug, questions: Asker, listener: Listener) 
             listener.changed();
         });
 
+    // That a car cannot park is known only after up to 200 changes from many headings, which takes longer than a frame has.
+    // So a drag looks for few changes in each frame, and where there is no such way in a worker looks further: at one slot
+    // at a time, then at the newest. Its answer comes a frame or two later; the last one is shown until then.
+    const few = 12;
+    let looking = false;
+    let next: (() => void) | null = null;
+    const lookFurther = (inputs: Inputs, question: string) => {
+        if (looking) {
+            next = () => lookFurther(inputs, question);
+            return;
+        }
+        looking = true;
+        questions.ask("entry", "entry", { car: inputs.car, ...slotOf(inputs), ...drivingOf(inputs) }, (told) => {
+            looking = false;
+            if (question === asked) {
+                if ("error" in told) listener.failed(told.error);
+                else {
+                    const fits = (answer: EntryAnswer | null) => answer?.direction_changes !== undefined;
+                    const same = !fits(told.answer) && !fits(answers.entry);
+                    Object.assign(answers, { entry: told.answer, ranges: told.answer.entry_ranges, late: false });
+                    soonSettled(() => inputs.strategy === "fewest" || listener.settled());
+                    if (!same) listener.changed();
+                }
+            }
+            const then = next;
+            next = null;
+            then?.();
+        });
+    };
+
     /** True where the question is a new one. Throws the solver's sentence, and keeps the last answers, where it has none. */
     const ask = (inputs: Inputs): boolean => {
         const question = JSON.stringify([inputs.car, slotOf(inputs), drivingOf(inputs), inputs.strategy]);
         if (question === asked) return false;
         const before = performance.now();
-        const entry = snug.entry(inputs.car, slotOf(inputs), drivingOf(inputs));
+        const [{ car }, slot, driving] = [inputs, slotOf(inputs), drivingOf(inputs)];
+        const late = listener.busy() && snug.entry(car, slot, { ...driving, max_changes: few }).direction_changes === undefined;
+        const entry = late ? null : snug.entry(car, slot, driving);
         frameTimes.push(performance.now() - before);
         if (frameTimes.length > 600) frameTimes.shift();
         asked = question;
-        Object.assign(answers, { entry, fewest: null, bounds: null, ranges: entry.entry_ranges });
+        Object.assign(answers, { fewest: null, bounds: null, late });
+        next = null;
+        if (entry) Object.assign(answers, { entry, ranges: entry.entry_ranges });
+        else lookFurther(inputs, question);
         questions.abandon("fewest");
         const all = inputs.strategy === "fewest";
         soonFewest(() => all && askFewest(inputs));
-        soonSettled(() => all || listener.settled());
+        soonSettled(() => all || answers.late || listener.settled());
         askRanges(inputs);
         return true;
     };
@@ -64,14 +101,14 @@ export function createAnswers(snug: Snug, questions: Asker, listener: Listener) 
     const askRanges = (inputs: Inputs) =>
         soonRanges(() => {
             const best = answers.entry?.direction_changes;
-            if (best === undefined || inputs.strategy === "fewest" || listener.busy()) return;
+            if (best === undefined || answers.late || inputs.strategy === "fewest" || listener.busy()) return;
             const more = { ...drivingOf(inputs), max_changes: best + 6 };
             answers.ranges = snug.entry(inputs.car, slotOf(inputs), more).entry_ranges;
             listener.changed();
         });
 
     /** What is said to be the answer: null while it is searched for. */
-    const final = (inputs: Inputs) => (inputs.strategy === "fewest" ? answers.fewest : answers.entry);
+    const final = (inputs: Inputs) => (inputs.strategy === "fewest" ? answers.fewest : answers.late ? null : answers.entry);
     return { answers, frameTimes, ask, askRanges, final };
 }
 export type Answers = ReturnType<typeof createAnswers>["answers"];

@@ -8,7 +8,7 @@ export function save(name: string, content: Blob) {
     setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
 
-const styled = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "stroke-linejoin",
+const styled = ["fill", "fill-opacity", "fill-rule", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "stroke-linejoin",
     "opacity", "font-family", "font-size", "font-weight", "vector-effect", "display"];
 
 /** The drawing as a file of its own: what the style sheet says is written into the elements, the handles are left out. */

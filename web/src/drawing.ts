@@ -4,6 +4,7 @@ import type { Car, HeadingRange, Pose } from "snug";
 import { countColor } from "./colors";
 import { set, setText, svg } from "./dom";
 import { clamp, corners, degrees, samples, type Point, type Track } from "./geometry";
+import { plural } from "./words";
 
 export interface Scene {
     car: Car;
@@ -74,6 +75,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     const body = vehicle.appendChild(carShape("car"));
     const outline = vehicle.appendChild(svg("path", { class: "frame" }));
     const axle = vehicle.appendChild(svg("path", { class: "axle" }));
+    const kept = vehicle.appendChild(svg("path", { class: "kept" }));
 
     const grip = (what: Drag, label: string) => {
         const element = svg(
@@ -185,14 +187,18 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
             ticks += path([ray(s, (d * Math.PI) / 180, radius), ray(s, (d * Math.PI) / 180, radius - reach / view.scale)]);
         }
         parts.push(svg("path", { class: "ticks", d: ticks }));
+        // Outside, where no fan hides them; the knob takes the place of the one it stands on.
+        const outward = s.left === s.forward ? "start" : "end";
         for (const d of [0, 30, 60, 90]) {
-            const [x, y] = at(ray(s, (d * Math.PI) / 180, radius - 20 / view.scale));
-            parts.push(svg("text", { class: "degree", x: round(x), y: round(y + (d === 0 ? -2 : 4)), "text-anchor": "middle" }, `${d}°`));
+            const angle = (d * Math.PI) / 180;
+            if (Math.abs(s.heading - angle) * (radius * view.scale + 17) < 26) continue;
+            const [x, y] = at(ray(s, angle, radius + 7 / view.scale));
+            parts.push(svg("text", { class: "degree", x: round(x), y: round(y + (d === 0 ? -3 : 2)), "text-anchor": outward }, `${d}°`));
         }
         for (const range of s.ranges) {
             const wedge = polygon([fanCentre(s), ...arc(range.heading_min, range.heading_max, radius)]);
             const color = countColor(range.direction_changes);
-            const word = `${range.direction_changes} direction changes: ${degrees(range.heading_min).toFixed(3)}° to ${degrees(range.heading_max).toFixed(3)}°`;
+            const word = `${range.direction_changes} ${plural(range.direction_changes)}: ${degrees(range.heading_min).toFixed(3)}° to ${degrees(range.heading_max).toFixed(3)}°`;
             parts.push(svg("path", { class: "wedge", d: wedge, fill: color, stroke: color }, svg("title", {}, word)));
         }
         parts.push(svg("path", { class: "ray", d: path([fanCentre(s), ray(s, s.heading, radius)]) }));
@@ -202,7 +208,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     const drawTrail = (s: Scene) => {
         const parts: SVGElement[] = [];
         if (s.track && s.track.legs.length > 0) {
-            const poses = s.track.legs.map((leg) => samples(s.car, leg, 0.04));
+            const poses = s.track.legs.map((leg) => samples(s.car, leg, drag ? 0.04 : 0.015));
             if (s.swept) {
                 const frames = poses.flat().map((pose) => polygon(corners(s.car, pose)));
                 parts.push(svg("path", { class: "swept", d: frames.join("") }));
@@ -312,11 +318,12 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         const { car } = scene;
         place(body, car, pose);
         set(outline, { d: polygon(corners(car, pose)) });
+        set(kept, { d: scene.clearance > 0 ? polygon(corners(car, pose, scene.clearance)) : "" });
         const c = Math.cos(pose.heading);
         const s = Math.sin(pose.heading);
         const local = (ahead: number, left: number): Point => ({ x: pose.x + ahead * c - left * s, y: pose.y + ahead * s + left * c });
         const [long, wide] = [0.065 * (car.front + car.rear), 0.05 * car.width];
-        const beside = car.width / 2 - 1.6 * wide;
+        const beside = car.width / 2 - 2.4 * wide;
         const places: [number, number, number][] = [
             [0, beside, 0],
             [0, -beside, 0],

@@ -48,7 +48,8 @@ export const limits: Record<NumberField, Limits> = {
     "car-steer": { what: "The largest steering angle", low: 5, high: 80, unit: "°" },
 };
 
-export const within = (field: NumberField, value: number) => clamp(value, limits[field].low, limits[field].high);
+/** The nearest number the page takes, without noise from arithmetic. */
+export const within = (field: NumberField, value: number) => clamp(Number(value.toFixed(6)), limits[field].low, limits[field].high);
 
 /** The number typed, or a sentence that says what is wrong with it. */
 export function parseNumber(field: NumberField, typed: string): number | string {

@@ -63,7 +63,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
         changed: refresh,
         settled: () => shorter.ask(inputs, final(inputs)?.direction_changes),
         failed: (sentence) => trouble(sentence),
-        busy: () => drawing.busy(),
+        busy: () => drawing.busy() || maps.busy(),
     });
     const maps = createMaps(questions, (extraLength, extraWidth) => {
         const { car } = inputs;
@@ -76,7 +76,10 @@ function run(snug: Snug, module: WebAssembly.Module) {
     const share = createShare(now, () => final(inputs));
     const swept = byId<HTMLInputElement>("swept");
     swept.addEventListener("change", refresh);
-    byId("best").addEventListener("click", () => change({ ...inputs, heading: null }));
+    byId("best").addEventListener("click", () => {
+        change({ ...inputs, heading: null });
+        byId("answer").focus({ preventScroll: true }); // the button goes, the keyboard's place stays
+    });
 
     const soonLink = later(300);
     function frame() {
@@ -116,7 +119,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
             forward,
             clearance,
             heading,
-            ranges: answers.ranges,
+            ranges: answers.fewest && !run ? [] : answers.ranges, // full steering's
             track: way,
             parked: run ? run.outcome === "parked" : true,
             swept: swept.checked,
@@ -168,6 +171,7 @@ async function begin() {
 
 begin().catch((error: unknown) => {
     const trouble = byId("trouble");
+    document.documentElement.dataset.broken = "";
     setText(trouble, error instanceof Error ? error.message : String(error));
     trouble.hidden = false;
 });

@@ -2,6 +2,7 @@
 import { countColor } from "./colors";
 import { byId, html, set, setText } from "./dom";
 import { clamp } from "./geometry";
+import { plural } from "./words";
 import type { MapGrid } from "./questions";
 
 export const grid: MapGrid = { columns: 48, rows: 32, extraLength: 1.92, extraWidth: 0.96 };
@@ -22,6 +23,7 @@ export function createMap(id: string, label: string, move: (extraLength: number,
             tick("x", part, (part * grid.extraLength).toFixed(2)),
             tick("y", part, (part * grid.extraWidth).toFixed(2)),
         );
+    field.append(html("span", { class: "axis x" }, "longer than the car [m]"), html("span", { class: "axis y" }, "wider [m]"));
     root.append(field, state);
     const paint = canvas.getContext("2d")!;
     const counts = new Int16Array(grid.columns * grid.rows).fill(-2);
@@ -32,7 +34,7 @@ export function createMap(id: string, label: string, move: (extraLength: number,
         const row = Math.floor((extra.width / grid.extraWidth) * grid.rows);
         const inside = column >= 0 && row >= 0 && column < grid.columns && row < grid.rows;
         const count = inside ? counts[row * grid.columns + column]! : -2;
-        const words = count === -2 ? "" : count < 0 ? ": no way in found" : `: ${count} direction changes`;
+        const words = count === -2 ? "" : count < 0 ? ": no way in found" : `: ${count} ${plural(count)}`;
         set(point, {
             "aria-label": `Slot ${extra.length.toFixed(2)} m longer and ${extra.width.toFixed(2)} m wider than the car${words}. Arrow keys change it.`,
         });
@@ -47,7 +49,9 @@ export function createMap(id: string, label: string, move: (extraLength: number,
 
     const clear = () => {
         counts.fill(-2);
-        paint.clearRect(0, 0, grid.columns, grid.rows);
+        // Blank, not hatched: nothing is known yet.
+        paint.fillStyle = getComputedStyle(root).getPropertyValue("--sheet");
+        paint.fillRect(0, 0, grid.columns, grid.rows);
         setText(state, "computing …");
         set(root, { "data-done": null });
     };
@@ -91,5 +95,5 @@ export function createMap(id: string, label: string, move: (extraLength: number,
         event.preventDefault();
         move(extra.length + step[0]!, extra.width + step[1]!);
     });
-    return { show, clear, fill, state: (text: string) => setText(state, text) };
+    return { show, clear, fill, busy: () => dragging, state: (text: string) => setText(state, text) };
 }

@@ -62,5 +62,5 @@ export function createMaps(questions: Asker, move: (extraLength: number, extraWi
         due = true;
         askSoon();
     };
-    return { show };
+    return { show, busy: () => kinds.some((kind) => maps[kind].busy()) };
 }

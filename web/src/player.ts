@@ -1,5 +1,5 @@
 // Plays a maneuver: time goes on, the car drives; it stands still for a moment where it changes direction.
-import type { Car, Maneuver } from "snug";
+import type { Car, Maneuver, Move } from "snug";
 import { byId, html, set, setText } from "./dom";
 import { clamp, degrees, legAt, poseAt, type Track } from "./geometry";
 
@@ -12,6 +12,22 @@ interface Played {
     maneuver: Maneuver;
     track: Track;
 }
+
+/** "backward, full left" */
+function how(car: Car, { direction, steering, steering_angle }: Move) {
+    const full = steering !== "straight" && Math.abs(steering_angle) > car.max_steer * (1 - 1e-9);
+    return `${direction}, ${full ? "full " : ""}${steering}`;
+}
+
+const wheelAngle = ({ steering_angle }: Move) => `${degrees(Math.abs(steering_angle)).toFixed(1)}°`;
+
+/** The command's words for them. */
+const obstacles: Record<string, string> = {
+    "rear side": "rear neighbour",
+    "front side": "front neighbour",
+    "rear corner": "rear slot corner",
+    "front corner": "front slot corner",
+};
 
 export function createPlayer(show: (pose: { x: number; y: number; heading: number }, steer: number) => void) {
     const button = byId<HTMLButtonElement>("play");
@@ -34,16 +50,16 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
         show(poseAt(car, { legs: [current], length: track.length }, distance), current.steer);
         scrub.value = String(Math.round((1000 * distance) / track.length));
         const move = maneuver.moves[leg]!;
-        const share = Math.abs(move.steering_angle) / car.max_steer;
-        const how = share < 1e-9 ? "straight" : `${share > 1 - 1e-9 ? "full " : ""}${move.steering}`;
-        const angle = `${degrees(Math.abs(move.steering_angle)).toFixed(1)}°`;
         set(wheel, { transform: `rotate(${((-move.steering_angle / car.max_steer) * wheelTurns * 360).toFixed(1)})` });
         const parked = distance >= track.length;
-        setText(now, parked ? "Parked" : `${leg + 1} of ${track.legs.length}: ${move.direction}, ${how}`);
+        setText(now, parked ? "Parked" : `${leg + 1} of ${track.legs.length}: ${how(car, move)}`);
         const driven = clamp(distance - current.from, 0, current.length);
-        setText(detail, `${share < 1e-9 ? "wheels straight" : `wheels ${angle}`} · ${driven.toFixed(3)} of ${move.length.toFixed(3)} m`);
+        setText(detail, `wheels ${wheelAngle(move)} · ${driven.toFixed(3)} of ${move.length.toFixed(3)} m`);
         set(scrub, { "aria-valuetext": `move ${leg + 1} of ${track.legs.length}, ${driven.toFixed(2)} metres` });
-        [...list.children].forEach((row, i) => set(row, { "aria-current": i === leg ? "step" : null }));
+        if (list.children[leg]?.getAttribute("aria-current") !== "step") {
+            [...list.children].forEach((row, i) => set(row, { "aria-current": i === leg ? "step" : null }));
+            intoView(list.children[leg]);
+        }
         document.documentElement.dataset.pose = JSON.stringify(poseAt(car, track, distance));
     };
 
@@ -113,19 +129,34 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
         if (current) goTo(current.from + current.length);
     });
 
-    const contactWords = (contact: { car: string; obstacle: string } | null, isLast: boolean) =>
-        contact ? `${contact.car} meets ${contact.obstacle}` : isLast ? "stop: parked" : "stop";
+    const contactWords = ({ contact }: Move, isLast: boolean) =>
+        contact ? `${contact.car} meets ${obstacles[contact.obstacle] ?? contact.obstacle}` : isLast ? "stop: parked" : "stop";
 
-    const showList = (next: Played) =>
+    // The list may be longer than its place: it says how many moves there are, shows the one under way, and fades out below
+    // while there are more.
+    const showMore = () => set(list, { "data-more": list.scrollTop + list.clientHeight < list.scrollHeight - 4 ? "" : null });
+    list.addEventListener("scroll", showMore, { passive: true });
+    new ResizeObserver(showMore).observe(list);
+    const intoView = (row: Element | undefined) => {
+        if (!row || list.scrollHeight <= list.clientHeight) return;
+        const [place, seen] = [row.getBoundingClientRect(), list.getBoundingClientRect()];
+        if (place.top < seen.top) list.scrollTop += place.top - seen.top;
+        else if (place.bottom > seen.bottom - place.height) list.scrollTop += place.bottom - seen.bottom + place.height;
+    };
+
+    const showList = (next: Played) => {
+        const { moves } = next.maneuver;
+        setText(byId("moves-count"), moves.length === 1 ? "one move" : `${moves.length} moves`);
         list.replaceChildren(
-            ...next.maneuver.moves.map((move, i) => {
+            ...moves.map((move, i) => {
                 const step = html(
                     "button",
                     { type: "button" },
                     html("span", { class: `arrow ${move.direction}`, "aria-hidden": "true" }, move.direction === "backward" ? "←" : "→"),
-                    html("span", { class: "how" }, `${move.direction}, ${move.steering}`),
+                    html("span", { class: "how" }, how(next.car, move)),
+                    html("span", { class: "angle" }, wheelAngle(move)),
                     html("span", { class: "far" }, `${move.length.toFixed(3)} m`),
-                    html("span", { class: "until" }, contactWords(move.contact, i === next.maneuver.moves.length - 1)),
+                    html("span", { class: "until" }, contactWords(move, i === moves.length - 1)),
                 );
                 step.addEventListener("click", () => {
                     halt();
@@ -134,6 +165,9 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
                 return html("li", {}, step);
             }),
         );
+        list.scrollTop = 0;
+        showMore();
+    };
 
     let listing = 0;
     let loadedAt = -Infinity;

@@ -1,6 +1,6 @@
 // Questions that take longer than a frame, and how they are asked: each kind has a worker of its own, and a new question
 // of a kind ends the one before.
-import type { Car, FewestAnswer, FewestProgress, MinSlotRow } from "snug";
+import type { Car, EntryAnswer, FewestAnswer, FewestProgress, MinSlotRow } from "snug";
 
 interface Case {
     car: Car;
@@ -19,6 +19,10 @@ export interface Questions {
     fewest: {
         ask: Case & { length: number; width: number; side: "right" | "left" };
         tell: { so_far: FewestProgress } | { answer: FewestAnswer };
+    };
+    entry: {
+        ask: Case & { length: number; width: number; side: "right" | "left" };
+        tell: { answer: EntryAnswer };
     };
     "min-slot": {
         ask: Case & { width: number; max_changes: number; strategy: "max-steer" | "fewest" };

@@ -1,6 +1,6 @@
 // Taking it away: a link, a command, files.
 import type { EntryAnswer, FewestAnswer } from "snug";
-import { byId, setText } from "./dom";
+import { byId, html, setText } from "./dom";
 import { asPng, rangesCsv, save, standalone } from "./download";
 import { commandLine, plain, toLink, type Inputs } from "./inputs";
 
@@ -32,8 +32,17 @@ export function createShare(inputs: () => Inputs, answer: () => EntryAnswer | Fe
     click("save-svg", () => file("svg", new Blob([standalone(picture)], { type: "image/svg+xml" })));
     click("save-png", () => asPng(picture).then((png) => file("png", png), (error: unknown) => say(String(error))));
     click("save-json", () => answerFile("json", "application/json", (found) => JSON.stringify(found, null, 2) + "\n"));
-    click("save-csv", () => answerFile("csv", "text/csv", (found) => rangesCsv(found.entry_ranges)));
+    click("save-csv", () => {
+        if (inputs().strategy === "fewest") say("CSV lists ranges of headings, but all maneuvers have none; take JSON.");
+        else answerFile("csv", "text/csv", (found) => rangesCsv(found.entry_ranges));
+    });
 
-    const show = () => setText(byId("command"), commandLine(inputs()));
+    // An option and its value stay on one line.
+    const command = byId("command");
+    const show = () => {
+        const line = commandLine(inputs());
+        if (command.textContent === line) return;
+        command.replaceChildren(...line.split(/(--\S+ \S+)/).map((part) => (part.startsWith("--") ? html("span", {}, part) : part)));
+    };
     return { show };
 }

@@ -1,4 +1,4 @@
-// The shortest slot of this width that does with one change fewer.
+// The shortest slot of this width that does with one change fewer; where none is needed, the shortest that still needs none.
 import { byId, setText } from "./dom";
 import { drivingOf, type Inputs } from "./inputs";
 import type { Asker } from "./questions";
@@ -18,15 +18,12 @@ export function createShorter(questions: Asker) {
         say("…", "");
     };
 
-    /** `count`: of the answer; where there is none, any count will do. */
+    /** `count`: of the answer; where the car does not fit, any count will do. */
     const ask = (inputs: Inputs, count: number | undefined) => {
         const { width, length, car, strategy } = inputs;
-        setText(byId("shorter-title"), count === undefined ? "Shortest slot of this width" : "One change fewer");
-        const most = count === undefined ? (strategy === "fewest" ? 12 : 200) : count - 1;
-        if (most < 0) {
-            say("none needed", "It cannot be fewer than no change at all.");
-            return;
-        }
+        const titles = { undefined: "Shortest slot of this width", 0: "Shortest slot for no change" } as Record<string, string>;
+        setText(byId("shorter-title"), titles[String(count)] ?? "One change fewer");
+        const most = count === undefined ? (strategy === "fewest" ? 12 : 200) : Math.max(count - 1, 0);
         questions.ask("min-slot", "min-slot", { car, width, ...drivingOf(inputs), max_changes: most, strategy }, (told) => {
             if ("error" in told) {
                 say("–", told.error);
@@ -37,9 +34,10 @@ export function createShorter(questions: Asker) {
                 say("no length will do", `No slot ${width.toFixed(3)} m wide is long enough; it would have to be wider.`);
                 return;
             }
-            const more = Math.ceil((enough - length) * 1000 - 1e-6) / 1000;
+            const long = Math.ceil(enough * 1000 - 1e-6) / 1000;
+            const more = long - length;
             const changes = count === undefined ? "" : ` for ${most} ${plural(most)}`;
-            say(more > 0 ? `+ ${metres(more)}` : "this one", `${(length + Math.max(more, 0)).toFixed(3)} m long${changes}.`);
+            say(`${more < 0 ? "−" : "+"} ${metres(Math.abs(more))}`, `${long.toFixed(3)} m long${changes}.`);
         });
     };
     return { wait, ask };

@@ -25,13 +25,18 @@ function whyNot(snug: Snug, inputs: Inputs, otherwise: string) {
     return parts.length > 0 ? `The slot is ${parts.join(" and ")} to hold the car at all.` : otherwise;
 }
 
+function sayRoom({ side }: Inputs, { length, swept }: Maneuver) {
+    const road = side === "left" ? -swept.y_min : swept.y_max;
+    return `${length.toFixed(2)} m driven, up to ${road.toFixed(2)} m into the road.`;
+}
+
 /** `shown`: the maneuver in the picture. */
 export function sayAnswer(snug: Snug, inputs: Inputs, answers: Answers, shown: Maneuver | undefined) {
     if (inputs.strategy === "fewest") sayFewest(snug, inputs, answers, shown);
-    else sayEntry(snug, inputs, answers, shown);
+    else sayEntry(snug, inputs, answers);
 }
 
-function sayEntry(snug: Snug, inputs: Inputs, { entry }: Answers, shown: Maneuver | undefined) {
+function sayEntry(snug: Snug, inputs: Inputs, { entry }: Answers) {
     setText(byId("strategy-note"), "Wheel all the way round, drive until something is touched, and back. Exact, in every frame.");
     setText(byId("maneuver-note"), "");
     const changes = entry?.direction_changes;
@@ -41,9 +46,8 @@ function sayEntry(snug: Snug, inputs: Inputs, { entry }: Answers, shown: Maneuve
         say("It does not fit", "not", "∅", "no way in", note);
         return;
     }
-    const driven = shown && inputs.heading === null ? `${shown.length.toFixed(2)} m driven, ` : "";
-    const road = inputs.side === "left" ? -best.swept.y_min : best.swept.y_max;
-    say("It fits", "fits", String(changes), plural(changes), `${driven}out in the road ${road.toFixed(2)} m`);
+    const from = inputs.heading === null ? "" : "From the best heading: ";
+    say("It fits", "fits", String(changes), plural(changes), from + sayRoom(inputs, best));
 }
 
 function sayFewest(snug: Snug, inputs: Inputs, { fewest, bounds }: Answers, shown: Maneuver | undefined) {
@@ -60,9 +64,10 @@ function sayFewest(snug: Snug, inputs: Inputs, { fewest, bounds }: Answers, show
     say("Searching all maneuvers", "open", count, plural(high ?? 2), `The bounds are closing${spacing}.`);
 }
 
-function sayBounds(snug: Snug, inputs: Inputs, { direction_changes: found, proved, lower_bound }: FewestAnswer) {
-    if (found !== undefined && proved) say("It fits", "fits", String(found), plural(found), "Proved: no maneuver has fewer.");
-    else if (found !== undefined) say("It fits", "fits", `≤ ${found}`, plural(found), `No maneuver has fewer than ${lower_bound}.`);
+function sayBounds(snug: Snug, inputs: Inputs, { direction_changes: found, proved, lower_bound, maneuver }: FewestAnswer) {
+    const room = maneuver ? ` ${sayRoom(inputs, maneuver)}` : "";
+    if (found !== undefined && proved) say("It fits", "fits", String(found), plural(found), `Proved: no maneuver has fewer.${room}`);
+    else if (found !== undefined) say("It fits", "fits", `≤ ${found}`, plural(found), `No maneuver has fewer than ${lower_bound}.${room}`);
     else if (proved) say("It does not fit", "not", "∅", "no way in", whyNot(snug, inputs, "Proved: no maneuver with up to 200 changes parks it."));
     else say("Undecided", "open", `≥ ${lower_bound}`, plural(2), "The time given was not enough.");
 }

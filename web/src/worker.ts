@@ -17,6 +17,9 @@ const fewest: Answer<"fewest"> = (snug, { car, clearance, enter, length, width, 
     tell({ answer }, true);
 };
 
+const entry: Answer<"entry"> = (snug, { car, clearance, enter, length, width, side }, tell) =>
+    tell({ answer: snug.entry(car, { length, width, side }, { clearance, enter }) }, true);
+
 const minSlot: Answer<"min-slot"> = (snug, { car, ...options }, tell) => tell({ row: snug.minSlot(car, options) }, true);
 
 const map: Answer<"map"> = (snug, { car, clearance, enter, grid, strategy }, tell) => {
@@ -84,7 +87,7 @@ const map: Answer<"map"> = (snug, { car, clearance, enter, grid, strategy }, tel
     tell({ cells: [], done: true }, true);
 };
 
-const answers: { [K in Kind]: Answer<K> } = { fewest, "min-slot": minSlot, map };
+const answers: { [K in Kind]: Answer<K> } = { fewest, entry, "min-slot": minSlot, map };
 
 let snug: Promise<Snug>;
 onmessage = async ({ data }: MessageEvent<ToWorker>) => {
