@@ -92,14 +92,14 @@ int build_and_report(const std::string& path, const AtlasPlan& plan, AtlasBuildO
     const Clock::time_point begin = Clock::now();
     const Interruptible interruptible;
     options.progress = show_cells();
-    if (options.progress) {
+    if (watched()) {
         const AtlasPlan& whole = database.plan();
         complain(extent(whole.cars.size(), whole.widths.size(), whole.lengths.size()) + ", of which " +
                  std::to_string(database.progress().stored) + " are stored");
     }
     options.go_on = [] { return interruption() == 0; };
     const bool complete = build(database, options);
-    if (options.progress) wipe_progress();
+    wipe_progress();
     const AtlasProgress progress = database.progress();
     if (!complete && interruption() == 0)
         throw Error(in_quotes(path) + " is damaged: nothing is missing, and yet it has " + of_cells(progress) +

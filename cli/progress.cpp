@@ -1,4 +1,4 @@
-// The line of progress, overwritten in place.
+// The line of progress: overwritten in place for who watches, now and then a new one for a log.
 #include "cli/progress.hpp"
 
 #include <unistd.h>
@@ -21,27 +21,28 @@ std::string duration(double seconds) {
     return in(seconds / 3600.0, " h");
 }
 
-/// Writes a line when it is time for one, from half a second on.
+/// Writes a line when it is time for one: on a terminal from half a second on, in a log every minute.
 class Line {
 public:
     void write(const std::function<std::string(double seconds)>& text) {
         using namespace std::chrono_literals;
         if (const Clock::time_point now = Clock::now(); now >= next_) {
-            next_ = now + 100ms;
+            next_ = now + (overwritten_ ? Clock::duration(100ms) : Clock::duration(1min));
             const double spent = std::chrono::duration<double>(now - begin_).count();
-            std::fprintf(stderr, "\r%s\x1b[K", text(spent).c_str());
+            std::fprintf(stderr, overwritten_ ? "\r%s\x1b[K" : "%s\n", text(spent).c_str());
         }
     }
 
 private:
     using Clock = std::chrono::steady_clock;
+    bool overwritten_ = watched();
     Clock::time_point begin_ = Clock::now();
-    Clock::time_point next_ = begin_ + std::chrono::milliseconds(500);
+    Clock::time_point next_ = begin_ + std::chrono::milliseconds(overwritten_ ? 500 : 60'000);
 };
 
-bool watched() { return isatty(STDERR_FILENO) != 0; }
-
 }  // namespace
+
+bool watched() { return isatty(STDERR_FILENO) != 0; }
 
 std::function<bool(double)> show_progress() {
     if (!watched()) return {};
@@ -71,7 +72,6 @@ std::function<bool(const FewestProgress&)> show_bounds() {
 }
 
 std::function<void(const AtlasProgress&)> show_cells() {
-    if (!watched()) return {};
     return [line = Line()](const AtlasProgress& so_far) mutable {
         line.write([&](double spent) {
             std::string text = std::to_string(so_far.stored) + " of " + std::to_string(so_far.cells) + " cells";

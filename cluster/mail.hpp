@@ -43,7 +43,7 @@ public:
     /// The next letter, however long it takes.
     Letter wait();
     /// How long one who has nothing else to do sleeps between two looks: a thousandth part of a core.
-    static constexpr std::chrono::milliseconds pause{1};
+    static constexpr std::chrono::milliseconds pause{4};
 
     /// Ends all processes at once, whatever they do.
     [[noreturn]] static void abort(int exit_code);

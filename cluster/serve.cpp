@@ -92,7 +92,7 @@ private:
 std::string work(Mail& mail, const std::string& text) try {
     const Task task = task_from(text);
     const int threads = threads_at_once(task.threads);
-    Desk desk(2 * static_cast<std::size_t>(threads));
+    Desk desk(4 * static_cast<std::size_t>(threads));
     std::string trouble;
     std::thread solver([&] {
         try {
