@@ -125,4 +125,4 @@ check-format: setup
 
 check-tidy: setup
 	cmake --preset release
-	printf '%s\n' src/*.cpp | xargs -P $(JOBS) -n 1 clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option --warnings-as-errors='*' -p build/release
+	find src baselines -name '*.cpp' | xargs -P $(JOBS) -n 1 clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option --warnings-as-errors='*' -p build/release

@@ -12,13 +12,13 @@
 #include <system_error>
 #include <utility>
 
-#include "atlas_format.hpp"
-#include "check.hpp"
+#include "atlas/format.hpp"
+#include "model/check.hpp"
+#include "model/spelling.hpp"
 #include "schema.hpp"
 #include "seal.hpp"
 #include "snug/atlas_database.hpp"
 #include "snug/version.hpp"
-#include "spelling.hpp"
 #include "sqlite.hpp"
 
 namespace snug {

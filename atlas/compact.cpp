@@ -8,10 +8,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "atlas_format.hpp"
-#include "check.hpp"
+#include "atlas/format.hpp"
+#include "model/check.hpp"
+#include "model/spelling.hpp"
 #include "snug/atlas_build.hpp"
-#include "spelling.hpp"
 
 namespace snug {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "check.hpp"
+#include "model/check.hpp"
+#include "model/spelling.hpp"
 #include "schema.hpp"
 #include "seal.hpp"
-#include "spelling.hpp"
 #include "sqlite.hpp"
 
 namespace snug {

@@ -1,8 +1,8 @@
 #include "schema.hpp"
 
-#include "check.hpp"
+#include "model/check.hpp"
+#include "model/spelling.hpp"
 #include "snug/version.hpp"
-#include "spelling.hpp"
 
 namespace snug {
 

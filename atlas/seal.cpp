@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "atlas_format.hpp"
+#include "atlas/format.hpp"
 
 namespace snug {
 

@@ -7,10 +7,10 @@
 #include <mutex>
 #include <utility>
 
-#include "cores.hpp"
 #include "snug/atlas_database.hpp"
 #include "snug/entry.hpp"
 #include "snug/fewest.hpp"
+#include "sweep/cores.hpp"
 
 namespace snug {
 

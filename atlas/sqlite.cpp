@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "spelling.hpp"
+#include "model/spelling.hpp"
 
 namespace snug {
 

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "cases.hpp"
-#include "entering.hpp"
+#include "contact/entering.hpp"
+#include "full_steering/cases.hpp"
 #include "snug/snug.hpp"
 
 namespace snug {

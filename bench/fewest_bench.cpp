@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "fewest_lattice.hpp"
+#include "all_maneuvers/lattice.hpp"
 #include "snug/snug.hpp"
 #include "snug/sweep.hpp"
 

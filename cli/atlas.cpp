@@ -8,8 +8,8 @@
 
 #include "cli/menu.hpp"
 #include "cli/progress.hpp"
+#include "model/spelling.hpp"
 #include "snug/error.hpp"
-#include "spelling.hpp"
 
 namespace snug::cli {
 namespace {

@@ -2,10 +2,10 @@
 #include "cli/atlas.hpp"
 #include "cli/output.hpp"
 #include "cli/table.hpp"
+#include "full_steering/widest_range.hpp"
+#include "model/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
-#include "spelling.hpp"
-#include "widest_range.hpp"
 
 namespace snug::cli {
 namespace {

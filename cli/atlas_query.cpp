@@ -4,16 +4,16 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "check.hpp"
 #include "cli/atlas.hpp"
 #include "cli/entry.hpp"
 #include "cli/output.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
+#include "model/check.hpp"
+#include "model/spelling.hpp"
 #include "snug/atlas_database.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
-#include "spelling.hpp"
 
 namespace snug::cli {
 namespace {

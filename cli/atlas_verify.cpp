@@ -3,13 +3,13 @@
 #include <random>
 #include <tuple>
 
-#include "check.hpp"
 #include "cli/atlas.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "model/check.hpp"
+#include "model/spelling.hpp"
 #include "snug/error.hpp"
-#include "spelling.hpp"
 
 namespace snug::cli {
 namespace {

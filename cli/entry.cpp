@@ -11,10 +11,10 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/waypoints.hpp"
+#include "model/spelling.hpp"
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
-#include "spelling.hpp"
 
 namespace snug::cli {
 namespace {

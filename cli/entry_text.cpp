@@ -6,7 +6,7 @@
 #include "cli/entry.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
-#include "widest_range.hpp"
+#include "full_steering/widest_range.hpp"
 
 namespace snug::cli {
 namespace {

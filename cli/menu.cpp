@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "model/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/version.hpp"
-#include "spelling.hpp"
 
 namespace snug::cli {
 namespace {

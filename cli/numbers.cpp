@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "check.hpp"
-#include "spelling.hpp"
+#include "model/check.hpp"
+#include "model/spelling.hpp"
 
 namespace snug::cli {
 namespace {

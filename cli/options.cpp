@@ -6,12 +6,12 @@
 #include <numbers>
 #include <optional>
 
-#include "check.hpp"
 #include "cli/command.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "model/check.hpp"
+#include "model/spelling.hpp"
 #include "snug/io.hpp"
-#include "spelling.hpp"
 
 namespace snug::cli {
 namespace {

@@ -16,8 +16,8 @@
 #include <system_error>
 #include <utility>
 
+#include "model/spelling.hpp"
 #include "snug/error.hpp"
-#include "spelling.hpp"
 
 namespace snug::cli {
 namespace {

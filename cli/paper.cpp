@@ -8,9 +8,9 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "model/spelling.hpp"
 #include "paper/paper.hpp"
 #include "snug/error.hpp"
-#include "spelling.hpp"
 
 namespace snug::cli {
 namespace {

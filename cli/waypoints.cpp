@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/output.hpp"
+#include "model/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
-#include "spelling.hpp"
 
 namespace snug::cli {
 namespace {

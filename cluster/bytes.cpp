@@ -5,9 +5,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "model/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/version.hpp"
-#include "spelling.hpp"
 
 namespace snug::cluster {
 namespace {

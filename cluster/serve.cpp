@@ -11,7 +11,7 @@
 
 #include "cluster/build.hpp"
 #include "cluster/bytes.hpp"
-#include "cores.hpp"
+#include "sweep/cores.hpp"
 
 namespace snug::cluster {
 namespace {

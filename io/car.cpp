@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "car_file.hpp"
+#include "model/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
-#include "spelling.hpp"
 
 namespace snug {
 namespace {

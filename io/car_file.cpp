@@ -8,8 +8,8 @@
 #include <numbers>
 #include <system_error>
 
-#include "check.hpp"
-#include "spelling.hpp"
+#include "model/check.hpp"
+#include "model/spelling.hpp"
 
 namespace snug {
 namespace {

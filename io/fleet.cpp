@@ -10,9 +10,9 @@
 #include <system_error>
 
 #include "car_file.hpp"
+#include "model/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
-#include "spelling.hpp"
 
 namespace snug {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <mutex>
 
-#include "cores.hpp"
+#include "sweep/cores.hpp"
 
 namespace snug::paper {
 

@@ -4,11 +4,11 @@
 #include <limits>
 #include <utility>
 
-#include "check.hpp"
-#include "entering.hpp"
-#include "heading_ranges.hpp"
-#include "stepping_entry.hpp"
-#include "widest_range.hpp"
+#include "baselines/stepping_entry.hpp"
+#include "contact/entering.hpp"
+#include "full_steering/heading_ranges.hpp"
+#include "full_steering/widest_range.hpp"
+#include "model/check.hpp"
 
 namespace snug {
 

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "angles.hpp"
-#include "check.hpp"
-#include "entering.hpp"
-#include "fewest_search.hpp"
-#include "heading_ranges.hpp"
+#include "all_maneuvers/search.hpp"
+#include "contact/entering.hpp"
+#include "full_steering/heading_ranges.hpp"
+#include "model/angles.hpp"
+#include "model/check.hpp"
 #include "snug/entry.hpp"
 #include "snug/min_slot.hpp"
 

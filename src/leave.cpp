@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "angles.hpp"
-#include "check.hpp"
-#include "entering.hpp"
-#include "fewest_search.hpp"
+#include "all_maneuvers/search.hpp"
+#include "contact/entering.hpp"
+#include "model/angles.hpp"
+#include "model/check.hpp"
 
 namespace snug {
 

@@ -18,10 +18,10 @@
 #include <cstddef>
 #include <limits>
 
-#include "check.hpp"
-#include "entering.hpp"
-#include "heading_ranges.hpp"
-#include "smallest_slot.hpp"
+#include "contact/entering.hpp"
+#include "full_steering/heading_ranges.hpp"
+#include "full_steering/smallest_slot.hpp"
+#include "model/check.hpp"
 
 namespace snug {
 

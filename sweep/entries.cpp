@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <functional>
 
-#include "check.hpp"
+#include "full_steering/widest_range.hpp"
+#include "model/check.hpp"
 #include "snug/sweep.hpp"
 #include "tasks.hpp"
-#include "widest_range.hpp"
 
 namespace snug {
 

@@ -10,11 +10,11 @@
 #include <numeric>
 #include <set>
 
-#include "check.hpp"
-#include "smallest_slot.hpp"
+#include "full_steering/smallest_slot.hpp"
+#include "full_steering/widest_range.hpp"
+#include "model/check.hpp"
 #include "snug/entry.hpp"
 #include "tasks.hpp"
-#include "widest_range.hpp"
 
 namespace snug {
 

@@ -9,8 +9,8 @@
 #include <functional>
 #include <mutex>
 
-#include "cores.hpp"
 #include "snug/sweep.hpp"
+#include "sweep/cores.hpp"
 
 namespace snug {
 

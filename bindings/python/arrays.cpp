@@ -4,10 +4,10 @@
 #include <limits>
 
 #include "arguments.hpp"
-#include "check.hpp"
+#include "full_steering/widest_range.hpp"
+#include "model/check.hpp"
 #include "module.hpp"
 #include "progress.hpp"
-#include "widest_range.hpp"
 
 namespace snug::python {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "atlas_format.hpp"
+#include "atlas/format.hpp"
 #include "cli/process.hpp"
 #include "model/refusals.hpp"
 #include "random_atlas.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "entering.hpp"
-#include "fewest_lattice.hpp"
+#include "all_maneuvers/lattice.hpp"
+#include "contact/entering.hpp"
 #include "oracle/random_cases.hpp"
 #include "sample.hpp"
 #include "snug/snug.hpp"

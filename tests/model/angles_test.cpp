@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "angles.hpp"
+#include "model/angles.hpp"
 #include "random_maneuvers.hpp"
 #include "sample.hpp"
 

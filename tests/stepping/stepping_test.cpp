@@ -8,10 +8,10 @@
 #include <numbers>
 #include <random>
 
+#include "baselines/stepping_entry.hpp"
 #include "literal.hpp"
 #include "sample.hpp"
 #include "snug/error.hpp"
-#include "stepping_entry.hpp"
 
 namespace snug {
 namespace {

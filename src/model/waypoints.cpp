@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "angles.hpp"
-#include "check.hpp"
+#include "model/angles.hpp"
+#include "model/check.hpp"
 
 namespace snug {
 namespace {

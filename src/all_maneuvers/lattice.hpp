@@ -15,9 +15,9 @@
 #include <limits>
 #include <vector>
 
+#include "contact/turning.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
-#include "turning.hpp"
 
 namespace snug::detail {
 

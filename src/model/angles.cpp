@@ -1,6 +1,6 @@
 // Taylor's series, on arguments made small first: sines take away quarter turns, arc tangents the nearest of five angles.
 // Whatever that rounds off is kept beside the result and comes back in the last addition.
-#include "angles.hpp"
+#include "model/angles.hpp"
 
 #include <array>
 #include <cstddef>

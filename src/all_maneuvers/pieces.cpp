@@ -1,12 +1,12 @@
-#include "fewest_pieces.hpp"
+#include "all_maneuvers/pieces.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "angles.hpp"
-#include "entering.hpp"
+#include "contact/entering.hpp"
+#include "model/angles.hpp"
 #include "snug/contact.hpp"
 
 namespace snug::detail {

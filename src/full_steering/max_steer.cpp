@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "entering.hpp"
-#include "full_steering.hpp"
-#include "heading_ranges.hpp"
+#include "contact/entering.hpp"
+#include "full_steering/full_steering.hpp"
+#include "full_steering/heading_ranges.hpp"
 
 namespace snug {
 

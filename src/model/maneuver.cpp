@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "angles.hpp"
-#include "check.hpp"
+#include "model/angles.hpp"
+#include "model/check.hpp"
 
 namespace snug {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "angles.hpp"
-#include "turning.hpp"
+#include "contact/turning.hpp"
+#include "model/angles.hpp"
 
 namespace snug::detail {
 

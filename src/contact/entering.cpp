@@ -1,8 +1,8 @@
-#include "entering.hpp"
+#include "contact/entering.hpp"
 
 #include <utility>
 
-#include "check.hpp"
+#include "model/check.hpp"
 
 namespace snug::detail {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "fewest_lattice.hpp"
+#include "all_maneuvers/lattice.hpp"
 
 namespace snug::detail {
 

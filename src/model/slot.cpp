@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "angles.hpp"
-#include "check.hpp"
+#include "model/angles.hpp"
+#include "model/check.hpp"
 
 namespace snug {
 namespace {

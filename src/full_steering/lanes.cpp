@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "cases.hpp"
+#include "full_steering/cases.hpp"
 
 // Vectors of fixed width only, because others cannot be members.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "lanes.cpp"
+#define HWY_TARGET_INCLUDE "full_steering/lanes.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,4 +1,4 @@
-#include "fewest_lattice.hpp"
+#include "all_maneuvers/lattice.hpp"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 //   - at every root of D_n, located the same way,
 //   - wherever D_n or a grazing height falls on the left and rises on the right steeply enough to reach zero between,
 // until both ends of every piece tell its whole story.
-#include "heading_ranges.hpp"
+#include "full_steering/heading_ranges.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "full_steering.hpp"
+#include "full_steering/full_steering.hpp"
 
 namespace snug::detail {
 

@@ -4,11 +4,11 @@
 // forward. Left stays left in that mirror, because the car's own direction turns round as well.
 #pragma once
 
+#include "contact/turning.hpp"
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
 #include "snug/slot.hpp"
-#include "turning.hpp"
 
 namespace snug::detail {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fewest_pieces.hpp"
+#include "all_maneuvers/pieces.hpp"
 #include "snug/fewest.hpp"
 
 namespace snug::detail {

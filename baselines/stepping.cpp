@@ -24,11 +24,11 @@
 #include <utility>
 #include <vector>
 
-#include "angles.hpp"
-#include "check.hpp"
-#include "entering.hpp"
-#include "stepping_entry.hpp"
-#include "widest_range.hpp"
+#include "baselines/stepping_entry.hpp"
+#include "contact/entering.hpp"
+#include "full_steering/widest_range.hpp"
+#include "model/angles.hpp"
+#include "model/check.hpp"
 
 namespace snug {
 namespace {

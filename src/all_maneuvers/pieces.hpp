@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "fewest_path.hpp"
+#include "all_maneuvers/path.hpp"
 #include "snug/car.hpp"
 #include "snug/max_steer.hpp"
 #include "snug/slot.hpp"

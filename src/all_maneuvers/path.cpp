@@ -1,4 +1,4 @@
-#include "fewest_path.hpp"
+#include "all_maneuvers/path.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "cases.hpp"
-#include "check.hpp"
-#include "entering.hpp"
+#include "contact/entering.hpp"
+#include "full_steering/cases.hpp"
+#include "model/check.hpp"
 
 namespace snug {
 

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "angles.hpp"
-#include "check.hpp"
-#include "turning.hpp"
+#include "contact/turning.hpp"
+#include "model/angles.hpp"
+#include "model/check.hpp"
 
 namespace snug {
 

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "angles.hpp"
-#include "check.hpp"
-#include "entering.hpp"
-#include "heading_ranges.hpp"
+#include "contact/entering.hpp"
+#include "full_steering/heading_ranges.hpp"
+#include "model/angles.hpp"
+#include "model/check.hpp"
 #include "snug/contact.hpp"
 #include "snug/entry.hpp"
 

@@ -3,11 +3,11 @@
 #include <limits>
 #include <vector>
 
-#include "fewest_lattice.hpp"
+#include "all_maneuvers/lattice.hpp"
 
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "fewest_sweep.cpp"
+#define HWY_TARGET_INCLUDE "all_maneuvers/sweep.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "angles.hpp"
-#include "check.hpp"
-#include "spelling.hpp"
+#include "model/angles.hpp"
+#include "model/check.hpp"
+#include "model/spelling.hpp"
 
 namespace snug {
 namespace {

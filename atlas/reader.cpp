@@ -19,10 +19,10 @@
 #include <system_error>
 #include <utility>
 
-#include "atlas_format.hpp"
+#include "atlas/format.hpp"
+#include "model/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/version.hpp"
-#include "spelling.hpp"
 
 namespace snug {
 

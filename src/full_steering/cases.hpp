@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "full_steering.hpp"
-#include "heading_ranges.hpp"
+#include "full_steering/full_steering.hpp"
+#include "full_steering/heading_ranges.hpp"
 #include "snug/slot.hpp"
 
 namespace snug::detail {

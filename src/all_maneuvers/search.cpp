@@ -1,4 +1,4 @@
-#include "fewest_search.hpp"
+#include "all_maneuvers/search.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "check.hpp"
-#include "entering.hpp"
+#include "contact/entering.hpp"
+#include "model/check.hpp"
 
 namespace snug::detail {
 

@@ -19,7 +19,7 @@
 #include <cmath>
 #include <limits>
 
-#include "angles.hpp"
+#include "model/angles.hpp"
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 
