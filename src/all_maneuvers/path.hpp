@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "all_maneuvers/lattice.hpp"
@@ -22,6 +23,10 @@ struct LatticePath {
     struct Leg {
         Direction direction = Direction::forward;
         std::vector<Characteristic> points;
+        bool nose_in = false;  ///< entering nose first the nose must stay in here
+
+        /// Another way to drive it.
+        [[nodiscard]] Leg with(std::vector<Characteristic> others) const { return {direction, std::move(others), nose_in}; }
     };
     double z = 0.0;  ///< height at the start [m]
     std::vector<Leg> legs;

@@ -45,11 +45,11 @@ Chain run_chain(const Lattice& lattice, const LeavingQuestion& question, int las
 
 /// No lattice is coarser: there the headings next to upright, which it leaves out, are few.
 double coarsest_sensible(const LeavingQuestion& question) {
-    return std::min(coarsest_part * question.ground.car.length(), question.problem.radius / 64.0);
+    return std::min(coarsest_part * question.ground.car.length(), question.ground.problem.radius / 64.0);
 }
 
 double finest(const LeavingQuestion& question) {
-    const double usual = std::min(usual_part * question.ground.car.length(), question.problem.radius / 64.0);
+    const double usual = std::min(usual_part * question.ground.car.length(), question.ground.problem.radius / 64.0);
     return question.resolution > 0.0 ? std::min(question.resolution, coarsest_sensible(question)) : usual;
 }
 
@@ -75,7 +75,7 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
                             spelled(question.resolution * std::sqrt(memory * finer * finer / most_memory)) + " m");
             if (memory > most_memory) return true;
         }
-        const Lattice lower(question.problem, question.ground.enter, Bound::lower, spacing, question.anchor,
+        const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, spacing, question.anchor,
                             reached ? &*reached : nullptr, watch);
         Chain chain = run_chain(lower, question, last, true, watch);
         bounds.spacing = spacing;
@@ -89,7 +89,7 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
         if (bounds.meet()) return true;
         if (!chain.out && !bounds.upper) return depth == question.max_changes;
 
-        const Lattice upper(lower, question.problem, Bound::upper, watch);
+        const Lattice upper(lower, question.ground.problem, Bound::upper, watch);
         const std::optional<int> changes = changes_along(upper, question.start, last, watch);
         for (int k = changes.value_or(last + 1); k <= std::min(last, changes.value_or(0) + 1); ++k) {
             const std::optional<LatticePath> path = path_along(upper, question.start, k, watch);
@@ -109,7 +109,7 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
 }  // namespace
 
 int sensible_depth(const LeavingQuestion& question, const Watch& watch) {
-    const Lattice lower(question.problem, question.ground.enter, Bound::lower, coarsest(question), question.anchor,
+    const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, coarsest(question), question.anchor,
                         nullptr, watch);
     const std::optional<int> guess = run_chain(lower, question, question.max_changes, false, watch).out;
     return guess ? std::min(question.max_changes, 2 * *guess + 10) : question.max_changes;
@@ -126,16 +126,15 @@ std::vector<Move> roomiest_moves(const LeavingQuestion& question, const LeavingB
     const int changes = *bounds.upper;
     const Car& car = question.ground.car;
     const auto keeping = [&](double distance) {
-        Problem problem = question.problem;
-        for (double* extent :
-             {&problem.touching.front, &problem.touching.left, &problem.touching.rear, &problem.touching.right})
-            *extent += distance;
+        Problem problem = question.ground.problem;
+        problem.body = problem.body.grown(distance);
+        problem.at_curb = problem.at_curb.grown(distance);
         return problem;
     };
     std::optional<Rows> reached;
     double spacing = coarsest(question);
     for (; spacing > std::max(0.999 * finest(question), 2e-4 * car.length()); spacing /= 2.0) {
-        const Lattice lower(question.problem, question.ground.enter, Bound::lower, spacing, question.anchor,
+        const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, spacing, question.anchor,
                             reached ? &*reached : nullptr, watch);
         reached = run_chain(lower, question, changes, true, watch).reached;
         if (spacing > 1e-3 * car.length()) continue;
@@ -181,7 +180,8 @@ void make_drivable(const LeavingQuestion& question, LeavingBounds& bounds, bool 
 
 void check(const FewestOptions& options) {
     check_between("maximum of direction changes", options.max_changes, 0.0, most_changes, "");
-    check_between("clearance", options.driving.clearance, 0.0, 1e6, " m");
+    check(options.driving);
+    check(options.parked);
     check_between("resolution", options.resolution, 0.0, 1e6, " m");
     check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
 }
@@ -210,7 +210,7 @@ Answer answer_of(const LeavingQuestion& question, LeavingBounds bounds, const Ca
     answer.proved = bounds.meet() || bounds.lower > question.max_changes;
     answer.spacing = bounds.spacing;
     if (bounds.moves.empty()) return answer;
-    const Enter enter = question.ground.enter;
+    const Enter enter = question.ground.driving.enter;
     std::vector<Move> moves =
         with_contacts(question.ground, driven_in ? turned_round(bounds.moves) : std::move(bounds.moves));
     for (Move& move : moves) {
