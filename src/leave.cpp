@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "all_maneuvers/search.hpp"
+#include "all_maneuvers/to_and_fro.hpp"
 #include "contact/entering.hpp"
 #include "model/angles.hpp"
 #include "model/check.hpp"
@@ -59,7 +61,7 @@ void check_parked(const Ground& ground, const Pose& pose) {
     const Problem& problem = ground.problem;
     const std::vector<Point> body = placed(problem.body, pose);
     const Box frame = box_of(placed(problem.frame, pose));
-    const double out = std::max({frame.y_max, frame.x_max, -problem.length - frame.x_min, -problem.width - frame.y_min,
+    const double out = std::max({frame.y_max, frame.x_max, -problem.length - frame.x_min,
                                  box_below(body, -problem.front_setback).x_max,
                                  -problem.length - box_below(body, -problem.rear_setback).x_min,
                                  -problem.width - box_of(placed(problem.at_curb, pose)).y_min});
@@ -104,11 +106,20 @@ Answer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOpt
                                    options.resolution,
                                    Finish::tidy};
     LeavingBounds bounds;
+    std::vector<Move> at_hand;
     const Watch watch = watch_of(options, bounds);
     try {
+        at_hand = to_and_fro(ground, start, options.max_changes, watch);
         narrow(question, sensible_depth(question, watch), bounds, watch);
         make_drivable(question, bounds, options.roomiest, watch);
     } catch (const GivenUp&) {  // the bounds are what is known
+    }
+    if (!at_hand.empty()) {
+        const int changes = Maneuver{car, at_hand}.direction_changes();
+        if (!bounds.upper || changes < *bounds.upper) {
+            bounds.upper = changes;
+            bounds.moves = std::move(at_hand);
+        }
     }
     return answer_of(question, std::move(bounds), car, slot, false);
 }

@@ -13,6 +13,7 @@ namespace snug::detail {
 namespace {
 
 constexpr std::size_t rows_between_looks = 64;
+constexpr int columns_between_looks = 64;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double cosine_of(double sine) { return std::sqrt(std::max(0.0, (1.0 - sine) * (1.0 + sine))); }
@@ -48,6 +49,18 @@ struct CellHeadings {
     }
 };
 
+/// The same number many times over. Fresh memory is slow, so somebody looks at the clock now and then.
+std::vector<double> many(std::size_t count, double number, const Watch& watch) {
+    constexpr std::size_t at_once = std::size_t{1} << 20;
+    std::vector<double> numbers;
+    numbers.reserve(count);
+    while (numbers.size() < count) {
+        numbers.resize(std::min(count, numbers.size() + at_once), number);
+        watch();
+    }
+    return numbers;
+}
+
 }  // namespace
 
 std::size_t Rows::cells() const {
@@ -72,11 +85,11 @@ Lattice::Lattice(const Problem& problem, Enter enter, Bound bound, double spacin
     if (within_coarser != nullptr) {
         find_rows(*within_coarser);
         if (measured_.empty()) measured_ = {first_column_, first_column_};
-        measure_columns();
+        measure_columns(watch);
     } else {
         measured_ = {first_column_, last_column_};
-        measure_columns();
-        find_rows();
+        measure_columns(watch);
+        find_rows(watch);
     }
     std::size_t begin = 0;
     for (const Window& window : rows_.windows) {
@@ -101,8 +114,17 @@ Lattice::Lattice(const Lattice& other, const Problem& problem, Bound bound, cons
       rows_(other.rows_),
       begin_(other.begin_) {
     measure_body();
-    measure_columns();
+    measure_columns(watch);
     measure_rows(watch);
+}
+
+double Lattice::most_cells(const Problem& problem, double spacing) {
+    double farthest = 0.0;
+    for (const Point& corner : problem.body.corners())
+        farthest = std::max(farthest, angles::hypot(corner.x, corner.y));
+    const double rows = 2.0 * (problem.length + 2.0 * farthest) / spacing + 100.0;
+    const double columns = 2.0 * steepest_sine * problem.radius / spacing + 2.0 * row_padding + 2.0;  // in a row
+    return rows * columns;
 }
 
 void Lattice::measure_body() {
@@ -244,7 +266,7 @@ void Lattice::measure_neighbours(int d, double front_wall, double rear_wall, dou
     limits.rear.level[i] = to_z - problem_.rear_setback - low;
 }
 
-void Lattice::measure_columns() {
+void Lattice::measure_columns(const Watch& watch) {
     columns_.resize(measured_.size() + 4);
     const std::size_t count = term(cell_of_column(measured_.to)) + 1 + row_padding;
     for (Limits& limits : limits_) {
@@ -255,7 +277,10 @@ void Lattice::measure_columns() {
                                              &limits.rear.wall, &limits.rear.level})
             numbers->assign(count, 0.0);
     }
-    for (int d = measured_.from - 2; d <= measured_.to + 2; ++d) measure_column(d);
+    for (int d = measured_.from - 2; d <= measured_.to + 2; ++d) {
+        if (d % columns_between_looks == 0) watch();
+        measure_column(d);
+    }
     for (const int parity : {0, 1}) {
         forward_[parity] = terms(Direction::forward, parity);
         backward_[parity] = terms(Direction::backward, parity);
@@ -321,7 +346,7 @@ void Lattice::find_rows(const Rows& coarse) {
     }
 }
 
-void Lattice::find_rows() {
+void Lattice::find_rows(const Watch& watch) {
     double from = infinity, to = -infinity;
     for (const Column& column : columns_) {
         from = std::min(from, column.from);
@@ -332,6 +357,7 @@ void Lattice::find_rows() {
     const int last = static_cast<int>(std::ceil((to - anchor_.x) * per_row)) + 1;
     rows_.windows.assign(static_cast<std::size_t>(last - rows_.first) + 1, {});
     for (int d = first_column_; d <= last_column_; ++d) {
+        if (d % columns_between_looks == 0) watch();
         const int bottom = static_cast<int>(std::floor((at(d).from - anchor_.x) * per_row)) - 1;
         const int top = static_cast<int>(std::ceil((at(d).to - anchor_.x) * per_row)) + 1;
         for (int s = std::max(bottom, rows_.first); s <= std::min(top, last); ++s)
@@ -346,7 +372,7 @@ std::size_t Lattice::index(int row, int cell) const {
 }
 
 void Lattice::measure_rows(const Watch& watch) {
-    needed_.assign(begin_.back(), infinity);
+    needed_ = many(begin_.back(), infinity, watch);
     for (std::size_t i = 0; i < rows_.windows.size(); ++i) {
         if (i % rows_between_looks == 0) watch();
         const int row = rows_.first + static_cast<int>(i);
@@ -389,7 +415,8 @@ void Lattice::find_goals() {
     }
 }
 
-Heights::Heights(const Lattice& lattice) : lattice_(&lattice), z_(lattice.needed_.size(), nowhere) {
+Heights::Heights(const Lattice& lattice, const Watch& watch)
+    : lattice_(&lattice), z_(many(lattice.needed_.size(), nowhere, watch)) {
     reached_.first = lattice.rows_.first;
     reached_.windows.assign(lattice.rows_.windows.size(), {});
 }

@@ -113,6 +113,9 @@ struct Limits {
 /// frame the car then never backs its tail out.
 class Lattice {
 public:
+    /// No lattice that begins anew has more cells.
+    static double most_cells(const Problem& problem, double spacing);
+
     /// Within those rows of a lattice twice as coarse, if given, everything that matters must lie.
     Lattice(const Problem& problem, Enter enter, Bound bound, double spacing, const Anchor& anchor,
             const Rows* within_coarser, const Watch& watch);
@@ -156,8 +159,8 @@ private:
     friend class Heights;
 
     void measure_body();
-    void measure_columns();
-    void find_rows();
+    void measure_columns(const Watch& watch);
+    void find_rows(const Watch& watch);
     void find_rows(const Rows& coarse);
     void measure_column(int d);
     void measure_neighbours(int d, double front_wall, double rear_wall, double to_z);
@@ -198,7 +201,7 @@ class Heights {
 public:
     static constexpr double nowhere = -std::numeric_limits<double>::infinity();
 
-    explicit Heights(const Lattice& lattice);
+    Heights(const Lattice& lattice, const Watch& watch);
 
     /// Parked anywhere.
     void start_parked();

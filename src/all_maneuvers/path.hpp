@@ -43,6 +43,9 @@ using Start = std::function<void(Heights&)>;
 /// Fewest direction changes, up to `most`, with which the car leaves along the lattice of upper bounds; empty if none.
 std::optional<int> changes_along(const Lattice& lattice, const Start& start, int most, const Watch& watch);
 
+/// Copies of the heights that are in memory while the path with so many changes is found.
+int heights_kept(int changes);
+
 /// A path with so many changes; empty if there is none.
 std::optional<LatticePath> path_along(const Lattice& lattice, const Start& start, int changes, const Watch& watch);
 

@@ -54,13 +54,13 @@ Ground::Ground(const Car& asked, const Slot& asked_slot, const Driving& asked_dr
 
 Point Ground::front_corner(const Pose& pose) const { return placed(side.front, pose); }
 
-namespace {
-
 FirstContact contact_on(const Ground& ground, const Pose& start, Direction direction, double steering_angle) {
     Driving driving = ground.driving;
     driving.enter = Enter::backward;
     return first_contact(ground.car, ground.slot, start, direction, steering_angle, driving);
 }
+
+namespace {
 
 /// How high a point of the car comes on a move, and how low. [m]
 struct Rise {

@@ -8,6 +8,7 @@
 #include "all_maneuvers/right_side.hpp"
 #include "contact/entering.hpp"
 #include "snug/car.hpp"
+#include "snug/contact.hpp"
 #include "snug/slot.hpp"
 
 namespace snug::detail {
@@ -27,6 +28,9 @@ struct Ground {
     /// And how far above p.
     [[nodiscard]] double above_p(const Pose& pose) const { return front_corner(pose).y + problem.front_setback; }
 };
+
+/// What the car meets with this steering.
+FirstContact contact_on(const Ground& ground, const Pose& start, Direction direction, double steering_angle);
 
 /// How much is made of a path.
 enum class Finish {

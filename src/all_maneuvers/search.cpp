@@ -17,8 +17,13 @@ constexpr double most_changes = 1000.0;
 constexpr double usual_part = 1e-4;  ///< of the car's length: the usual resolution
 constexpr double coarsest_part = 1.0 / 128;
 constexpr double well_known = 1.0 / 1000;  ///< of the car's length: the next lattice shows what the finest takes
-constexpr double most_memory = 4e9;        ///< [bytes]
-constexpr double memory_per_cell = 40.0;   ///< both lattices, and the way back [bytes]
+constexpr double most_memory = 1.8e9;      ///< [bytes]
+
+/// What both lattices take, and with them so many copies of the heights. [bytes]
+double memory_of(const LeavingQuestion& question, double cells, int heights) {
+    const int lattices = question.ground.driving.enter == Enter::forward ? 4 : 2;
+    return cells * static_cast<double>(sizeof(double)) * (lattices + heights);
+}
 
 /// A chain of sweeps whose last one, after `last` changes, goes forward.
 struct Chain {
@@ -30,7 +35,7 @@ Chain run_chain(const Lattice& lattice, const LeavingQuestion& question, int las
                 const Watch& watch) {
     Chain chain;
     if (lattice.may_park_upright()) chain.out = 0;
-    Heights heights(lattice);
+    Heights heights(lattice, watch);
     question.start(heights);
     for (int k = 0; k <= last; ++k) {
         const Direction direction = direction_at(k, last);
@@ -60,15 +65,22 @@ double coarsest(const LeavingQuestion& question) {
     return spacing;
 }
 
+/// Whether even the coarsest lattice takes too much memory, as in slots thousands of times as long as the car.
+bool too_large(const LeavingQuestion& question) {
+    const Problem& problem = question.ground.problem;
+    return memory_of(question, Lattice::most_cells(problem, coarsest(question)), 2) > most_memory;
+}
+
 /// Bounds on lattices from the coarsest to the finest, as far as `depth` changes; false when that is not enough.
 bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds, const Watch& watch) {
     std::optional<Rows> reached;
+    if (too_large(question)) return true;
     for (double spacing = coarsest(question); spacing > 0.999 * finest(question); spacing /= 2.0) {
         const int last = bounds.upper ? *bounds.upper - 1 : depth;
         if (last < bounds.lower) return bounds.upper || depth == question.max_changes;
         if (reached && spacing <= well_known * question.ground.car.length()) {
             const double finer = spacing / finest(question);
-            const double memory = 4.0 * static_cast<double>(reached->cells()) * memory_per_cell;
+            const double memory = memory_of(question, 4.0 * static_cast<double>(reached->cells()), 2);
             if (question.resolution > 0.0 && memory * finer * finer > most_memory)
                 throw Error("resolution is " + spelled(question.resolution) + " m, but the lattice for that takes " +
                             spelled(std::ceil(memory * finer * finer / 1e9)) + " GB of memory; it must be at least " +
@@ -91,7 +103,9 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
 
         const Lattice upper(lower, question.ground.problem, Bound::upper, watch);
         const std::optional<int> changes = changes_along(upper, question.start, last, watch);
+        const double cells = static_cast<double>(upper.rows().cells());
         for (int k = changes.value_or(last + 1); k <= std::min(last, changes.value_or(0) + 1); ++k) {
+            if (memory_of(question, cells, heights_kept(k)) > most_memory) break;
             const std::optional<LatticePath> path = path_along(upper, question.start, k, watch);
             std::vector<Move> moves;
             if (path) moves = leaving_moves(question.ground, *path, Finish::checked, watch);
@@ -109,6 +123,7 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
 }  // namespace
 
 int sensible_depth(const LeavingQuestion& question, const Watch& watch) {
+    if (too_large(question)) return question.max_changes;
     const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, coarsest(question), question.anchor,
                         nullptr, watch);
     const std::optional<int> guess = run_chain(lower, question, question.max_changes, false, watch).out;
@@ -132,6 +147,7 @@ std::vector<Move> roomiest_moves(const LeavingQuestion& question, const LeavingB
         return problem;
     };
     std::optional<Rows> reached;
+    if (too_large(question)) return {};
     double spacing = coarsest(question);
     for (; spacing > std::max(0.999 * finest(question), 2e-4 * car.length()); spacing /= 2.0) {
         const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, spacing, question.anchor,

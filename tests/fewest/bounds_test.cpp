@@ -87,7 +87,7 @@ TEST(LowerBound, NoRealMotionIsHigherThanItAllows) {
         for (const int first : {0, 1}) {
             std::vector<Heights> levels;
             std::vector<bool> out;
-            Heights heights(lattice);
+            Heights heights(lattice, no_watch);
             heights.start_parked();
             for (int k = 0; k <= most; ++k) {
                 out.push_back(heights.sweep((k + first) % 2 == 0 ? Direction::forward : Direction::backward, no_watch));
@@ -158,7 +158,7 @@ TEST(UpperBound, APlainLoopGivesTheSameHeights) {
         const double spacing = std::min(1e-2 * place.car.length(), place.problem.radius / 64.0);
         const double radius = place.problem.radius;
         const Lattice lattice(place.problem, snug::Enter::backward, Bound::upper, spacing, {}, nullptr, no_watch);
-        Heights heights(lattice);
+        Heights heights(lattice, no_watch);
         heights.start_parked();
         std::map<std::pair<int, int>, double> plain;  // y + r cos(heading) by row and column
         const int first_row = lattice.rows().first;
