@@ -41,7 +41,7 @@ struct Question {
                 direction == snug::Direction::forward ? 1 : -1};
     }
     double farthest() const {
-        return steering == 0 ? 1e3 : 2 * std::numbers::pi * asked.car.wheelbase / std::abs(std::tan(steering));
+        return steering == 0 ? 1e7 : 2 * std::numbers::pi * asked.car.wheelbase / std::abs(std::tan(steering));
     }
     /// In long double, since a hardly steered car turns on a huge circle; the pose itself is rounded to double.
     Exact exact() const {
