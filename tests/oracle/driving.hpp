@@ -312,7 +312,7 @@ Real last_parked(const Problem<Real>& problem, const Path<Real>& path, Real fart
 /// says where to look, and decides nothing.
 template <class Real>
 Real least_short_of_parked(const Problem<Real>& problem, const Path<Real>& path, Real farthest) {
-    constexpr int samples = 16;
+    constexpr int samples = 8;
     const auto height = [&](Real distance) { return short_of_parked(problem, path.at(distance)); };
     Real best = 0, least = height(0);
     for (int i = 1; i <= samples; ++i) {
@@ -323,7 +323,7 @@ Real least_short_of_parked(const Problem<Real>& problem, const Path<Real>& path,
     Real b = farthest * std::min(best + 1, Real(samples)) / samples;
     constexpr Real golden = Real(0.618033988749894848204586834365638118L);
     Real x = b - golden * (b - a), y = a + golden * (b - a), at_x = height(x), at_y = height(y);
-    for (int i = 0; i < 60 && b - a > Real(1e-13L); ++i) {
+    for (int i = 0; i < 60 && b - a > Real(1e-9L); ++i) {
         if (at_x <= at_y) {
             b = y, y = x, at_y = at_x;
             at_x = height(x = b - golden * (b - a));

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -22,7 +21,6 @@ struct Verdict {
     long undecided_edges = 0;  // of them those within 1e-12 of another outcome and off by that
     long undecided = 0;        // other headings so
     long dips = 0;             // places where the depth was minimised
-    double seconds = 0;        // the slowest answer
     bool parkable = false;
     double thinnest = 10;    // the thinnest reported subrange
     bool only_thin = false;  // no best subrange is wider than the paper's sampling of 1e-4 rad
@@ -35,7 +33,6 @@ struct Verdict {
         undecided_edges += other.undecided_edges;
         undecided += other.undecided;
         dips += other.dips;
-        seconds = std::max(seconds, other.seconds);
         return *this;
     }
 };
@@ -87,11 +84,11 @@ public:
         snug::EntryOptions problem1;
         problem1.driving = asked_.driving;
         problem1.parked = asked_.parked;
-        const snug::Answer best = answer_to(car, slot, problem1);
+        const snug::Answer best = snug::entry(car, slot, problem1);
         snug::EntryOptions problem2 = problem1;
         problem2.max_changes =
             best.direction_changes ? *best.direction_changes + asked_.more_changes : options_.unparkable_changes;
-        const snug::Answer all = answer_to(car, slot, problem2);
+        const snug::Answer all = snug::entry(car, slot, problem2);
 
         verdict_.parkable = best.parkable();
         if (best.parkable() != best.direction_changes.has_value() || best.parkable() != best.maneuver.has_value() ||
@@ -118,14 +115,6 @@ private:
     template <class... Words>
     void fail(const Words&... words) {
         if (verdict_.failures.size() < 5) verdict_.failures.push_back(sentence(words...));
-    }
-
-    snug::Answer answer_to(const snug::Car& car, const snug::Slot& slot, const snug::EntryOptions& options) {
-        const auto start = std::chrono::steady_clock::now();
-        snug::Answer answer = snug::entry(car, slot, options);
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-        verdict_.seconds = std::max(verdict_.seconds, took.count());
-        return answer;
     }
 
     // Rising, each within [0, pi/2], as wide as can be, subranges numbered by touching.
@@ -292,7 +281,13 @@ private:
             ++verdict_.decided;
             verdict_.edges += edge;
             if (exact.count == range.direction_changes) return;
-            if (!exact.certain) {
+            // Edges are promised to 1e-12.
+            const double inward = heading + (heading == range.min ? 1e-12 : -1e-12);
+            const auto parks_inward = [&] {
+                const Run<Fine> other = run(fine_, Fine(inward), range.direction_changes);
+                return range.max - range.min < 2e-12 || (other.parked() && other.changes == range.direction_changes);
+            };
+            if (!exact.certain || (edge && parks_inward())) {
                 ++(edge ? verdict_.undecided_edges : verdict_.undecided);
                 return;
             }
@@ -362,7 +357,7 @@ private:
             }
         }
         if (close) return;
-        const snug::Answer answer = answer_to(car, slot, options);
+        const snug::Answer answer = snug::entry(car, slot, options);
         if (answer.direction_changes != expected)
             fail("with --min-range ", options.min_range, " --max-changes ", limit_, " the fewest is ",
                  answer.direction_changes.value_or(-1), ", expected ", expected.value_or(-1));

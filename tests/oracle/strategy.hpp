@@ -116,15 +116,24 @@ struct Decided {
     snug::Outcome outcome = snug::Outcome::no_entry;
 };
 
+/// Whether the first move can start.
+inline bool starts(const Problem<long double>& problem, long double heading) {
+    const Place<long double> place = entry_place(problem, heading);
+    if (depth(problem, place) > problem.forgiven) return false;
+    const Path<long double> path{place, problem.radius, problem.enter == snug::Enter::backward ? -1 : 1};
+    return first_contact(problem, path, 1e-3L) > problem.forgiven;
+}
+
 /// Driven again by cars a little larger and a little smaller, in body and in frame: where these fare otherwise, rounding
 /// decides. With as many as hundreds of moves a little grows, so it is the question that is that delicate.
 inline Decided decide(const Problem<long double>& problem, long double heading, int max_changes,
                       long double little = 1e-12L) {
     Decided decided;
     bool first = true;
+    // Where the touching corner sets off along the neighbour's side it sinks in by the square of what the heading is off.
+    decided.certain = starts(problem, heading - 1e-7L) == starts(problem, heading + 1e-7L);
     for (const long double body : {0.0L, little, -little}) {
         for (const long double frame : {0.0L, little, -little}) {
-            if (body == 0 && frame != 0) continue;
             Problem<long double> other = problem;
             other.body = problem.body.grown(body);
             other.at_curb = problem.at_curb.grown(body);
