@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -142,6 +143,7 @@ Answer fewest(const Car& car, const Slot& slot, const FewestOptions& options) {
     LeavingBounds bounds;
     const Watch watch = watch_of(options, bounds);
     std::optional<Maneuver> full_steering;
+    std::vector<Move> at_hand;
     const auto ask_full_steering = [&](int most) {
         std::optional<Maneuver> found = with_full_steering(question, car, slot, most);
         if (!found) return;
@@ -154,6 +156,8 @@ Answer fewest(const Car& car, const Slot& slot, const FewestOptions& options) {
         // The paper's strategy is often best. Slots in which it goes to and fro for long without parking take longest, so
         // it is asked only for as many changes as the lattices may need.
         ask_full_steering(std::min(options.max_changes, few_changes));
+        if (!bounds.upper && options.time_limit < std::numeric_limits<double>::infinity())
+            at_hand = moves_at_hand(question, watch);
         const int depth = bounds.upper ? *bounds.upper : sensible_depth(question, watch);
         if (!bounds.upper && depth > few_changes) ask_full_steering(depth);
         narrow(question, depth, bounds, watch);
@@ -162,6 +166,7 @@ Answer fewest(const Car& car, const Slot& slot, const FewestOptions& options) {
         make_drivable(question, bounds, options.roomiest, watch);
     } catch (const GivenUp&) {  // the bounds are what is known
     }
+    fall_back_on(std::move(at_hand), car, bounds);
     Answer answer = answer_of(question, std::move(bounds), car, slot, true);
     if (answer.direction_changes && !answer.maneuver) answer.maneuver = std::move(full_steering);
     return answer;

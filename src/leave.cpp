@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "all_maneuvers/search.hpp"
-#include "all_maneuvers/to_and_fro.hpp"
 #include "contact/entering.hpp"
 #include "model/angles.hpp"
 #include "model/check.hpp"
@@ -109,18 +108,12 @@ Answer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOpt
     std::vector<Move> at_hand;
     const Watch watch = watch_of(options, bounds);
     try {
-        at_hand = to_and_fro(ground, start, options.max_changes, watch);
+        at_hand = moves_at_hand(question, watch);
         narrow(question, sensible_depth(question, watch), bounds, watch);
         make_drivable(question, bounds, options.roomiest, watch);
     } catch (const GivenUp&) {  // the bounds are what is known
     }
-    if (!at_hand.empty()) {
-        const int changes = Maneuver{car, at_hand}.direction_changes();
-        if (!bounds.upper || changes < *bounds.upper) {
-            bounds.upper = changes;
-            bounds.moves = std::move(at_hand);
-        }
-    }
+    fall_back_on(std::move(at_hand), car, bounds);
     return answer_of(question, std::move(bounds), car, slot, false);
 }
 

@@ -16,6 +16,8 @@ namespace {
 constexpr double most_changes = 1000.0;
 constexpr double usual_part = 1e-4;  ///< of the car's length: the usual resolution
 constexpr double coarsest_part = 1.0 / 128;
+constexpr double least_in_radius = 64.0;  ///< spacings in a turning radius (see steepest_sine)
+constexpr int most_at_hand = 40;          ///< changes
 constexpr double well_known = 1.0 / 1000;  ///< of the car's length: the next lattice shows what the finest takes
 constexpr double most_memory = 1.8e9;      ///< [bytes]
 
@@ -50,11 +52,11 @@ Chain run_chain(const Lattice& lattice, const LeavingQuestion& question, int las
 
 /// No lattice is coarser: there the headings next to upright, which it leaves out, are few.
 double coarsest_sensible(const LeavingQuestion& question) {
-    return std::min(coarsest_part * question.ground.car.length(), question.ground.problem.radius / 64.0);
+    return std::min(coarsest_part * question.ground.car.length(), question.ground.problem.radius / least_in_radius);
 }
 
 double finest(const LeavingQuestion& question) {
-    const double usual = std::min(usual_part * question.ground.car.length(), question.ground.problem.radius / 64.0);
+    const double usual = std::min(usual_part * question.ground.car.length(), question.ground.problem.radius / least_in_radius);
     return question.resolution > 0.0 ? std::min(question.resolution, coarsest_sensible(question)) : usual;
 }
 
@@ -121,6 +123,30 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
 }
 
 }  // namespace
+
+std::vector<Move> moves_at_hand(const LeavingQuestion& question, const Watch& watch) {
+    if (too_large(question)) return {};
+    const Problem& problem = question.ground.problem;
+    const double spacing = problem.radius / least_in_radius;
+    const Lattice upper(problem, question.ground.driving.enter, Bound::upper, spacing, question.anchor, nullptr, watch);
+    const int most = std::min(question.max_changes, most_at_hand);
+    const std::optional<int> fewest = changes_along(upper, question.start, most, watch);
+    for (int k = fewest.value_or(most + 1); k <= std::min(most, fewest.value_or(0) + 2); ++k) {
+        const std::optional<LatticePath> path = path_along(upper, question.start, k, watch);
+        std::vector<Move> moves;
+        if (path) moves = leaving_moves(question.ground, *path, Finish::checked, watch);
+        if (!moves.empty()) return moves;
+    }
+    return {};
+}
+
+void fall_back_on(std::vector<Move> at_hand, const Car& car, LeavingBounds& bounds) {
+    if (at_hand.empty()) return;
+    const int changes = Maneuver{car, at_hand}.direction_changes();
+    if (bounds.upper && *bounds.upper <= changes) return;
+    bounds.upper = changes;
+    bounds.moves = std::move(at_hand);
+}
 
 int sensible_depth(const LeavingQuestion& question, const Watch& watch) {
     if (too_large(question)) return question.max_changes;

@@ -31,6 +31,13 @@ struct LeavingBounds {
     [[nodiscard]] bool meet() const { return upper && *upper == lower; }
 };
 
+/// A way out as the coarsest lattice there can be shows it: found in a millisecond or so, and seldom the best; empty if it
+/// shows none.
+std::vector<Move> moves_at_hand(const LeavingQuestion& question, const Watch& watch);
+
+/// Makes those the upper bound where nothing better was found.
+void fall_back_on(std::vector<Move> at_hand, const Car& car, LeavingBounds& bounds);
+
 /// How many changes to look at first: what the coarsest lattice says, and some more.
 int sensible_depth(const LeavingQuestion& question, const Watch& watch);
 
