@@ -179,17 +179,16 @@ void Lattice::measure_column(int d) {
     column.start = infinity;
     column.start_from = -infinity;
     column.start_to = infinity;
-    CellHeadings::Span lowest{-infinity, -infinity};
+    double lowest = -infinity;
     for (const Point& corner : problem_.frame.corners()) {
         const CellHeadings::Span height = level(corner);
         column.start = std::min(column.start, height.greatest + outward);
-        lowest = {std::max(lowest.least, height.least), std::max(lowest.greatest, height.greatest)};
+        lowest = std::max(lowest, height.greatest);
         const double x = turned(corner, sine, column.cosine).x;
         column.start_from = std::max(column.start_from, rear_wall - x);
         column.start_to = std::min(column.start_to, front_wall - x);
     }
-    column.start = std::min(column.start, lowest.greatest - problem_.width + problem_.parked.curb + outward);
-    column.start_least = lowest.least - problem_.width - outward;
+    column.start = std::min(column.start, lowest - problem_.width + problem_.parked.curb + outward);
     const double margin = cells ? -sine_step_ - 1e-12 : sine == 0.0 ? 0.0 : 1e-12;
     if (std::abs(sine) + margin > steepest_parked_) column.start = -infinity;
 
@@ -428,7 +427,7 @@ void Heights::start_parked() {
     for (int d = first; d <= last; ++d) {
         const Column& column = lattice.at(d);
         const double curb = lattice.limits_[d & 1].curb[lattice.term(cell_of_column(d))];
-        if (!(column.start >= std::max(curb, column.start_least) && column.start_from <= column.start_to)) continue;
+        if (!(column.start >= curb && column.start_from <= column.start_to)) continue;
         const double per_row = 2.0 / lattice.spacing_;
         const int from = static_cast<int>(std::ceil((column.start_from - lattice.anchor_.x) * per_row)) - 1;
         const int to = static_cast<int>(std::floor((column.start_to - lattice.anchor_.x) * per_row)) + 1;

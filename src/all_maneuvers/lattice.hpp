@@ -83,8 +83,7 @@ constexpr double steepest_sine = 0.96;
 /// Numbers of one column; heights as z. [m]
 struct Column {
     double cosine = 1.0, tangent = 0.0;
-    double start = 0.0;                       ///< highest parked position,
-    double start_least = 0.0;                 ///< the lowest that is not too low,
+    double start = 0.0;                       ///< highest parked position
     double start_from = 0.0, start_to = 0.0;  ///< and where there are any
     double tail_out = 0.0;                    ///< lowest one with the tail's right corner above the entry side
     double from = 0.0, to = 0.0;              ///< the column ends here

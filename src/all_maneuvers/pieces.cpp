@@ -55,7 +55,7 @@ Ground::Ground(const Car& asked, const Slot& asked_slot, const Driving& asked_dr
 Point Ground::front_corner(const Pose& pose) const { return placed(side.front, pose); }
 
 FirstContact contact_on(const Ground& ground, const Pose& start, Direction direction, double steering_angle) {
-    return first_contact(ground.car, ground.slot, start, direction, steering_angle, ground.driving.clearance);
+    return first_contact(ground.car, ground.slot, start, direction, steering_angle, ground.driving);
 }
 
 namespace {

@@ -78,7 +78,7 @@ std::optional<Pose> parked(Random& random, const Place& place) {
     if (from > to) return std::nullopt;
     pose.x = std::clamp(from + (to - from) * random.between(-0.2, 1.2), from, to);
     const oracle::Place<double> there{pose.x, pose.y, pose.heading};
-    if (oracle::depth(place.judged, there) > 0.0 || pose.y + low < -place.slot.width()) return std::nullopt;
+    if (oracle::depth(place.judged, there) > 0.0) return std::nullopt;
     return pose;
 }
 
