@@ -22,6 +22,7 @@ namespace {
 using namespace detail;
 
 constexpr int few_changes = 32;
+constexpr int most_looks = 4;  ///< at how far full steering has got
 
 /// Nose first, whether the nose stays in the slot (see fewest.hpp).
 bool nose_stays_in(const Ground& ground, const Maneuver& maneuver, const Slot& slot) {
@@ -75,6 +76,13 @@ bool may_stand_tilted(const Problem& problem, double width) {
     return false;
 }
 
+bool is_rectangle(const Car& car) {
+    return car.outline() == Outline::rectangle(car.front(), car.rear(), car.width() / 2.0);
+}
+
+/// Neighbours as in the paper.
+bool is_plain(const Problem& problem) { return problem.front_setback == 0.0 && problem.rear_setback == 0.0; }
+
 /// Whether there is any room to drive in, as far as that is plain to see. Parallel in a slot exactly as long as the car it
 /// cannot move, and in one exactly as wide it cannot turn (docs/fewest.md); only in a much wider one a car so long as the
 /// slot fits in tilted. The lattices see to the rest.
@@ -82,11 +90,9 @@ bool has_room(const Ground& ground, double length, double width) {
     const Problem& problem = ground.problem;
     const Reach parallel(problem, 0.0, 1.0);
     const Car& car = ground.car;
-    const bool rectangle = car.outline() == Outline::rectangle(car.front(), car.rear(), car.width() / 2.0);
-    const bool plain = problem.front_setback == 0.0 && problem.rear_setback == 0.0;
     if (width < parallel.across || (width == parallel.across && never_turns(problem)))
         return may_stand_tilted(problem, width);
-    if (!rectangle || !plain) return true;
+    if (!is_rectangle(car) || !is_plain(problem)) return true;
     const double least_length = problem.body.front() + problem.body.rear();
     if (length > least_length || (length == least_length && (!never_turns(problem) || car.length() <= car.width())))
         return true;
@@ -116,9 +122,15 @@ LeavingQuestion entering_question(const Car& car, const Slot& slot, const Drivin
 }
 
 /// The paper's best maneuver with at most so many changes, if there is one and it answers the question.
-std::optional<Maneuver> with_full_steering(const LeavingQuestion& question, const Car& car, const Slot& slot,
-                                           int most) {
-    const std::vector<CountedHeadings> best = heading_ranges(FullSteering(question.ground.problem), most, Find::fewest);
+std::optional<Maneuver> with_full_steering(const LeavingQuestion& question, const Car& car, const Slot& slot, int most,
+                                           const Watch& watch) {
+    // It is a start, not the answer: where it takes long, the lattices are faster.
+    int looks = 0;
+    const std::vector<CountedHeadings> best =
+        heading_ranges(FullSteering(question.ground.problem), most, Find::fewest, [&](double) {
+            watch();
+            return ++looks < most_looks;
+        });
     const auto widest = std::max_element(best.begin(), best.end(), [](const auto& one, const auto& other) {
         return one.max - one.min < other.max - other.min;
     });
@@ -145,7 +157,7 @@ Answer fewest(const Car& car, const Slot& slot, const FewestOptions& options) {
     std::optional<Maneuver> full_steering;
     std::vector<Move> at_hand;
     const auto ask_full_steering = [&](int most) {
-        std::optional<Maneuver> found = with_full_steering(question, car, slot, most);
+        std::optional<Maneuver> found = with_full_steering(question, car, slot, most, watch);
         if (!found) return;
         bounds.upper = found->direction_changes();
         full_steering = std::move(found);
@@ -218,10 +230,11 @@ FewestLength min_length_fewest(const Car& car, double width, const FewestLengthO
         return bounds.lower > options.max_changes ? Verdict::impossible : Verdict::undecided;
     };
     try {
-        if (options.driving.enter == Enter::backward) {  // the paper's strategy is a start
+        const bool paper = is_rectangle(car) && is_plain(ground.problem) && options.curb == Curb::high;
+        if (options.driving.enter == Enter::backward && paper) {  // the paper's strategy is a start
             const std::optional<MinSlot> full_steering = min_length(
                 car, width,
-                {.max_changes = options.max_changes, .driving = options.driving, .longest = options.longest});
+                {.max_changes = options.max_changes, .driving = options.driving, .parked = options.parked, .longest = options.longest});
             if (full_steering) answer.length = full_steering->length;
         }
         open = answer.length.value_or(longest);
