@@ -139,8 +139,7 @@ std::optional<Maneuver> with_full_steering(const LeavingQuestion& question, cons
     const MaxSteerOptions drive = {widest->changes, driving, question.ground.problem.parked};
     MaxSteerRun run = max_steer(car, slot, widest->min + (widest->max - widest->min) / 2.0, drive);
     if (run.outcome != Outcome::parked) return std::nullopt;
-    if (driving.enter == Enter::forward && !nose_stays_in(question.ground, run.maneuver, slot))
-        return std::nullopt;
+    if (driving.enter == Enter::forward && !nose_stays_in(question.ground, run.maneuver, slot)) return std::nullopt;
     return std::move(run.maneuver);
 }
 
@@ -232,9 +231,11 @@ FewestLength min_length_fewest(const Car& car, double width, const FewestLengthO
     try {
         const bool paper = is_rectangle(car) && is_plain(ground.problem) && options.curb == Curb::high;
         if (options.driving.enter == Enter::backward && paper) {  // the paper's strategy is a start
-            const std::optional<MinSlot> full_steering = min_length(
-                car, width,
-                {.max_changes = options.max_changes, .driving = options.driving, .parked = options.parked, .longest = options.longest});
+            const std::optional<MinSlot> full_steering = min_length(car, width,
+                                                                    {.max_changes = options.max_changes,
+                                                                     .driving = options.driving,
+                                                                     .parked = options.parked,
+                                                                     .longest = options.longest});
             if (full_steering) answer.length = full_steering->length;
         }
         open = answer.length.value_or(longest);

@@ -53,7 +53,7 @@ struct FewestLength {
 struct FewestLengthOptions {
     int max_changes = 0;  ///< direction changes allowed, 0 to 1000
     Driving driving = {};
-    Parked parked = {};       ///< what counts as parked
+    Parked parked = {};          ///< what counts as parked
     double front_setback = 0.0;  ///< of the neighbours, and the curb, as in SlotDimensions
     double rear_setback = 0.0;
     Curb curb = Curb::high;

@@ -120,8 +120,7 @@ Lattice::Lattice(const Lattice& other, const Problem& problem, Bound bound, cons
 
 double Lattice::most_cells(const Problem& problem, double spacing) {
     double farthest = 0.0;
-    for (const Point& corner : problem.body.corners())
-        farthest = std::max(farthest, angles::hypot(corner.x, corner.y));
+    for (const Point& corner : problem.body.corners()) farthest = std::max(farthest, angles::hypot(corner.x, corner.y));
     const double rows = 2.0 * (problem.length + 2.0 * farthest) / spacing + 100.0;
     const double columns = 2.0 * steepest_sine * problem.radius / spacing + 2.0 * row_padding + 2.0;  // in a row
     return rows * columns;
@@ -272,8 +271,8 @@ void Lattice::measure_columns(const Watch& watch) {
         limits.from.assign(count, infinity);  // nothing beside the columns
         limits.front.lines.clear();
         limits.rear.lines.clear();
-        for (std::vector<double>* numbers : {&limits.to, &limits.curb, &limits.front.wall, &limits.front.level,
-                                             &limits.rear.wall, &limits.rear.level})
+        for (std::vector<double>* numbers :
+             {&limits.to, &limits.curb, &limits.front.wall, &limits.front.level, &limits.rear.wall, &limits.rear.level})
             numbers->assign(count, 0.0);
     }
     for (int d = measured_.from - 2; d <= measured_.to + 2; ++d) {

@@ -26,7 +26,9 @@ struct LatticePath {
         bool nose_in = false;  ///< entering nose first the nose must stay in here
 
         /// Another way to drive it.
-        [[nodiscard]] Leg with(std::vector<Characteristic> others) const { return {direction, std::move(others), nose_in}; }
+        [[nodiscard]] Leg with(std::vector<Characteristic> others) const {
+            return {direction, std::move(others), nose_in};
+        }
     };
     double z = 0.0;  ///< height at the start [m]
     std::vector<Leg> legs;

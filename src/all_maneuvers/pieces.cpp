@@ -318,8 +318,9 @@ void Smoother::straighten(Plan& plan) const {
             for (; !way && step > 1; --tries) {
                 const Piece& to = planned[i][at + step - 1];
                 // Nose first the car must not come out again, so it stays below the planned way.
-                way = bridge(leg, at, at + step - 1, pose, to.least,
-                             ground_.driving.enter == Enter::forward ? to.end.y : std::numeric_limits<double>::infinity());
+                way = bridge(
+                    leg, at, at + step - 1, pose, to.least,
+                    ground_.driving.enter == Enter::forward ? to.end.y : std::numeric_limits<double>::infinity());
                 if (!way) step = step > 2 ? (step + 1) / 2 : 1;
             }
             if (!way) way = leg.with({leg.points[at]});

@@ -16,8 +16,8 @@ namespace {
 constexpr double most_changes = 1000.0;
 constexpr double usual_part = 1e-4;  ///< of the car's length: the usual resolution
 constexpr double coarsest_part = 1.0 / 128;
-constexpr double least_in_radius = 64.0;  ///< spacings in a turning radius (see steepest_sine)
-constexpr int most_at_hand = 40;          ///< changes
+constexpr double least_in_radius = 64.0;   ///< spacings in a turning radius (see steepest_sine)
+constexpr int most_at_hand = 40;           ///< changes
 constexpr double well_known = 1.0 / 1000;  ///< of the car's length: the next lattice shows what the finest takes
 constexpr double most_memory = 1.8e9;      ///< [bytes]
 
@@ -56,7 +56,8 @@ double coarsest_sensible(const LeavingQuestion& question) {
 }
 
 double finest(const LeavingQuestion& question) {
-    const double usual = std::min(usual_part * question.ground.car.length(), question.ground.problem.radius / least_in_radius);
+    const double usual =
+        std::min(usual_part * question.ground.car.length(), question.ground.problem.radius / least_in_radius);
     return question.resolution > 0.0 ? std::min(question.resolution, coarsest_sensible(question)) : usual;
 }
 
@@ -89,8 +90,8 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
                             spelled(question.resolution * std::sqrt(memory * finer * finer / most_memory)) + " m");
             if (memory > most_memory) return true;
         }
-        const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, spacing, question.anchor,
-                            reached ? &*reached : nullptr, watch);
+        const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, spacing,
+                            question.anchor, reached ? &*reached : nullptr, watch);
         Chain chain = run_chain(lower, question, last, true, watch);
         bounds.spacing = spacing;
         const int none_below = chain.out ? *chain.out - 1 : last + 1;
@@ -150,8 +151,8 @@ void fall_back_on(std::vector<Move> at_hand, const Car& car, LeavingBounds& boun
 
 int sensible_depth(const LeavingQuestion& question, const Watch& watch) {
     if (too_large(question)) return question.max_changes;
-    const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, coarsest(question), question.anchor,
-                        nullptr, watch);
+    const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, coarsest(question),
+                        question.anchor, nullptr, watch);
     const std::optional<int> guess = run_chain(lower, question, question.max_changes, false, watch).out;
     return guess ? std::min(question.max_changes, 2 * *guess + 10) : question.max_changes;
 }
@@ -176,8 +177,8 @@ std::vector<Move> roomiest_moves(const LeavingQuestion& question, const LeavingB
     if (too_large(question)) return {};
     double spacing = coarsest(question);
     for (; spacing > std::max(0.999 * finest(question), 2e-4 * car.length()); spacing /= 2.0) {
-        const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, spacing, question.anchor,
-                            reached ? &*reached : nullptr, watch);
+        const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, spacing,
+                            question.anchor, reached ? &*reached : nullptr, watch);
         reached = run_chain(lower, question, changes, true, watch).reached;
         if (spacing > 1e-3 * car.length()) continue;
         // The greatest distance with which the car still gets out.
