@@ -3,12 +3,12 @@
 #include <random>
 #include <tuple>
 
+#include "atlas/damage.hpp"
 #include "cli/atlas.hpp"
-#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "model/check.hpp"
-#include "model/spelling.hpp"
+#include "sentences/check.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 
 namespace snug::cli {
@@ -119,7 +119,7 @@ int verify_database(const std::string& path, int count) {
     const AtlasDatabase database(path);
     const AtlasPlan& plan = database.plan();
     if (const std::string trouble = database.trouble(); !trouble.empty())
-        throw Error(in_quotes(path) + " is damaged: " + trouble + "; restore a copy, or build it again");
+        throw damaged(path, trouble);
     each_cell(database, [](std::size_t, double, double, const CellAnswer&) {});  // looks at every one
     Cells cells = {plan.options, plan.cars, plan.widths, plan.lengths, {}};
     cells.at = [&](std::size_t car, std::size_t width, std::size_t length) {
@@ -137,12 +137,12 @@ int verify_database(const std::string& path, int count) {
 
 Action parse_atlas_verify(const Arguments& arguments) {
     Options options("snug atlas verify", purpose, examples);
-    add_db(options, "The atlas: a database, or an exported file.");
-    options.add("--solve", "N", "Solve so many random cells again and compare (0).");
+    const AtlasFile file(options, "The atlas: a database, or an exported file.");
+    const Option<int> solve_again =
+        options.whole_number("--solve", "N", "Solve so many random cells again and compare (0).", 0, 100'000'000);
     if (!options.read(arguments)) return say(options.help());
-    const std::string path = db(options);
-    const std::string* text = options.typed("--solve");
-    const int count = text == nullptr ? 0 : whole_number("--solve", *text, 0, 100'000'000);
+    const std::string path = file.path();
+    const int count = solve_again.value_or(0);
     return [path, count] { return is_exported(path) ? verify_exported(path, count) : verify_database(path, count); };
 }
 

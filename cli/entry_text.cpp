@@ -6,7 +6,6 @@
 #include "cli/entry.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
-#include "full_steering/widest_range.hpp"
 
 namespace snug::cli {
 namespace {

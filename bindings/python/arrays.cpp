@@ -4,8 +4,7 @@
 #include <limits>
 
 #include "arguments.hpp"
-#include "full_steering/widest_range.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 #include "module.hpp"
 #include "progress.hpp"
 

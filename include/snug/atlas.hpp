@@ -27,7 +27,7 @@ struct AtlasOptions {
     AtlasStrategy strategy = AtlasStrategy::max_steer;
     /// As in EntryOptions (empty: the fewest, up to 200, and their headings; set: every count up to it) and FewestOptions.
     std::optional<int> max_changes = {};
-    double min_range = 0.0;   ///< max_steer: narrower stretches of headings are left out [rad]
+    double min_range = 0.0;   ///< max_steer: narrower ranges of headings are left out [rad]
     double resolution = 0.0;  ///< fewest: spacing of the finest lattice [m]; 0: as fewest() chooses
     Driving driving = {};
 };
@@ -156,6 +156,7 @@ private:
     std::size_t blocks_ = 0;
     int block_bits_ = 0;  ///< a block has two to the power of this many cells
     const std::byte* names_ = nullptr;
+    const std::byte* corners_ = nullptr;
     const std::byte* width_values_ = nullptr;
     const std::byte* length_values_ = nullptr;
     const std::byte* first_block_ = nullptr;

@@ -65,14 +65,14 @@ private:
 };
 
 /// Where cells come from and answers go. Neither is called from two threads at once, nor `next` again once it had none.
-struct CellDesk {
+struct CellQueue {
     std::function<CellBatch()> next;
     std::function<void(const SolvedBatch&)> store;
 };
 
-/// Solves what the desk has on so many threads (0: all cores), until there is nothing left or `go_on`, which is asked from
-/// all of them, says no. Throws what the desk throws.
-void solve_all(const AtlasPlan& plan, const CellDesk& desk, int threads, const std::function<bool()>& go_on);
+/// Solves what the queue has on so many threads (0: all cores), until there is nothing left or `go_on`, which is asked from
+/// all of them, says no. Throws what the queue throws.
+void solve_all(const AtlasPlan& plan, const CellQueue& queue, int threads, const std::function<bool()>& go_on);
 
 struct AtlasBuildOptions {
     int threads = 0;  ///< 0: all cores
