@@ -38,7 +38,7 @@ struct Ground {
     Ground(const Car& asked, const Slot& asked_slot, const MaxSteerOptions& options)
         : car(asked),
           slot({.length = asked_slot.length(), .width = asked_slot.width()}),
-          problem(entering_problem(asked, asked_slot, options.driving.enter, options.driving.clearance)),
+          problem(entering_problem(asked, asked_slot, options.driving)),
           clearance(options.driving.clearance),
           radius(asked.turning_radius()) {
         CarDimensions dimensions = asked.dimensions();

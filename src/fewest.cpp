@@ -52,7 +52,7 @@ bool has_room(const Car& car, double length, double width, double clearance) {
 }
 
 LeavingQuestion entering_question(const Car& car, const Slot& slot, Enter enter, double clearance) {
-    return {Ground(car, slot, enter, clearance), entering_problem(car, slot, enter, clearance),
+    return {Ground(car, slot, enter, clearance), entering_problem(car, slot, {.clearance = clearance, .enter = enter}),
             [](Heights& heights) { heights.start_parked(); }};
 }
 

@@ -80,7 +80,7 @@ Answer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOpt
     // Above what rounding may have put into the curb.
     const double z = start.y + radius * angles::cos(start.heading) + 1e-10 * car.length();
     const LeavingQuestion question{ground,
-                                   entering_problem(car, slot, options.driving.enter, options.driving.clearance),
+                                   entering_problem(car, slot, options.driving),
                                    [z](Heights& heights) { heights.start_at(0, 0, z); },
                                    {start.x, angles::sin(start.heading)},
                                    options.max_changes,

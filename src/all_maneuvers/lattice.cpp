@@ -65,8 +65,8 @@ Lattice::Lattice(const Problem& problem, Enter enter, Bound bound, double spacin
       spacing_(spacing),
       sine_step_(spacing / (2.0 * problem.radius)),
       anchor_(anchor),
-      rounding_(4e-16 * (problem.length + problem.width + 4.0 * problem.radius + problem.touching.front +
-                         problem.touching.rear + problem.touching.left)) {
+      rounding_(4e-16 * (problem.length + problem.width + 4.0 * problem.radius + problem.body.front() +
+                         problem.body.rear() + problem.body.left())) {
     first_column_ = static_cast<int>(std::ceil((-steepest_sine - anchor.sine) / sine_step_));
     last_column_ = static_cast<int>(std::floor((steepest_sine - anchor.sine) / sine_step_));
     if (within_coarser != nullptr) {
@@ -105,13 +105,13 @@ Lattice::Lattice(const Lattice& other, const Problem& problem, Bound bound, cons
 }
 
 void Lattice::measure_column(int d) {
-    const Extents& car = problem_.touching;
+    const Outline& car = problem_.body;
     const bool cells = bound_ == Bound::lower;
     const double sine = this->sine(d);
     const CellHeadings headings(sine, cells ? sine_step_ : 0.0);  // of the cell
     const double least_cosine = headings.least_cosine();
     // How far a point of the car can be from where it is at the cell's middle, along and across.
-    const double farthest = angles::hypot(std::max(car.front, car.rear), car.left);
+    const double farthest = angles::hypot(std::max(car.front(), car.rear()), car.left());
     const double half = spacing_ / 2.0;
     const double along = cells ? half * std::max(1.0, farthest / (problem_.radius * least_cosine)) : 0.0;
     const double across = cells ? half * farthest / (problem_.radius * least_cosine) : 0.0;
@@ -124,22 +124,23 @@ void Lattice::measure_column(int d) {
     column.cosine = cosine_of(sine);
     column.tangent = sine / column.cosine;
     // Parked: the real frame inside.
-    const Extents& parked = problem_.parked;
+    const Outline& parked = problem_.frame;
     column.start = infinity;
     column.start_from = -infinity;
     column.start_to = infinity;
-    for (const CarPoint& corner : {CarPoint{parked.front, parked.left}, CarPoint{-parked.rear, parked.left},
-                                   CarPoint{-parked.rear, -parked.left}, CarPoint{parked.front, -parked.left}}) {
+    for (const CarPoint& corner :
+         {CarPoint{parked.front(), parked.left()}, CarPoint{-parked.rear(), parked.left()},
+          CarPoint{-parked.rear(), -parked.left()}, CarPoint{parked.front(), -parked.left()}}) {
         const double top = headings.span(-corner.ahead, problem_.radius - corner.left).greatest;
         column.start = std::min(column.start, top + outward);
         const double x = corner.turned(sine, column.cosine).x;
         column.start_from = std::max(column.start_from, rear_wall - x);
         column.start_to = std::min(column.start_to, front_wall - x);
     }
-    const CarPoint front_left{car.front, car.left};
-    const CarPoint rear_left{-car.rear, car.left};
-    const CarPoint rear_right{-car.rear, -car.left};
-    const CarPoint front_right{car.front, -car.left};
+    const CarPoint front_left{car.front(), car.left()};
+    const CarPoint rear_left{-car.rear(), car.left()};
+    const CarPoint rear_right{-car.rear(), -car.left()};
+    const CarPoint front_right{car.front(), -car.left()};
     const auto height = [&](const CarPoint& corner) {
         return headings.span(-corner.ahead, problem_.radius - corner.left);
     };

@@ -140,7 +140,7 @@ public:
     }
     /// Whether the slot may be deep enough to park at the headings next to upright that the lattice leaves out.
     [[nodiscard]] bool may_park_upright() const {
-        return problem_.width >= (problem_.parked.front + problem_.parked.rear) * (steepest_sine - 4.0 * sine_step_);
+        return problem_.width >= (problem_.frame.front() + problem_.frame.rear()) * (steepest_sine - 4.0 * sine_step_);
     }
     /// Lowest free position. [m]
     [[nodiscard]] double needed(int row, int column) const { return needed_[index(row, cell_of_column(column))]; }

@@ -91,7 +91,7 @@ std::optional<Node> roomiest_way_out(const Heights& heights, Lattice::Goal::Wher
 void drive_away(const Lattice& lattice, const Node& out, double z, LatticePath& path) {
     const Problem& problem = lattice.problem();
     const double sine = lattice.sine(out.column);
-    const double below = problem.radius + problem.touching.right - z;
+    const double below = problem.radius + problem.body.right() - z;
     Characteristic at = characteristic(lattice, out);
     if (sine < 0.0 && below > 0.0) {
         const double back = (below / -sine + 1e-3 * problem.radius) * std::sqrt((1.0 - sine) * (1.0 + sine));

@@ -127,9 +127,7 @@ std::vector<Move> roomiest_moves(const LeavingQuestion& question, const LeavingB
     const Car& car = question.ground.car;
     const auto keeping = [&](double distance) {
         Problem problem = question.problem;
-        for (double* extent :
-             {&problem.touching.front, &problem.touching.left, &problem.touching.rear, &problem.touching.right})
-            *extent += distance;
+        problem.body = problem.body.grown(distance);
         return problem;
     };
     std::optional<Rows> reached;

@@ -301,7 +301,8 @@ FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, D
     check_between("pose y", pose.y, -1e9, 1e9, " m");
     check_between("pose heading", pose.heading, -1e9, 1e9, " rad");
 
-    PlainMove move;
+    PlainMove move{entering_problem(car, slot, {.clearance = clearance}), {}};
+    move.problem.touch = touching_part * car.length();
     move.start = slot.to_slot(pose);
     move.forward = direction == Direction::forward ? 1.0 : -1.0;
     move.curvature = angles::tan(slot.mirrored(steering_angle)) / car.wheelbase();
@@ -310,19 +311,10 @@ FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, D
         move.start = {-slot.length() - move.start.x, move.start.y, 2.0 * quarter_turn - move.start.heading};
         move.curvature = -move.curvature;
     }
-    const double side = car.width() / 2.0;
-    move.problem = {{car.front() + clearance, side + clearance, car.rear() + clearance, side + clearance},
-                    {car.front(), side, car.rear(), side},
-                    0.0,
-                    slot.length(),
-                    slot.width(),
-                    touching_part * car.length()};
-
-    const TurningFrame about_axle = turning_frame(move.problem.touching, move.problem.parked, 0.0);
+    const TurningFrame about_axle = turning_frame(move.problem.body, move.problem.frame, 0.0);
     const bool straight = std::abs(move.curvature) < straight_bend;
     const double offset = straight ? 0.0 : 1.0 / move.curvature;
-    const TurningFrame frames =
-        straight ? about_axle : turning_frame(move.problem.touching, move.problem.parked, offset);
+    const TurningFrame frames = straight ? about_axle : turning_frame(move.problem.body, move.problem.frame, offset);
     const auto [sine, cosine] = angles::sine_cosine(move.start.heading);
     const double centre_x = move.start.x - offset * sine;
     const double centre_y = move.start.y + offset * cosine;

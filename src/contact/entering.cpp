@@ -35,17 +35,24 @@ Obstacle front_and_rear_swapped(Obstacle obstacle) {
 
 }  // namespace
 
-Problem entering_problem(const Car& car, const Slot& slot, Enter enter, double clearance) {
-    Problem problem;
-    const double side = car.width() / 2.0;
-    problem.parked = {car.front(), side, car.rear(), side};
-    if (enter == Enter::forward) std::swap(problem.parked.front, problem.parked.rear);
-    problem.touching = {problem.parked.front + clearance, side + clearance, problem.parked.rear + clearance,
-                        side + clearance};
-    problem.radius = car.turning_radius();
-    problem.length = slot.length();
-    problem.width = slot.width();
-    problem.touch = 1e-13 * (car.length() + car.width() + clearance + car.turning_radius());
+Problem entering_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked) {
+    const bool low_curb = slot.curb() == Curb::low;
+    const auto seen = [&](const Outline& outline) {
+        const Outline in_slot = slot.side() == Side::left ? outline.mirrored() : outline;
+        return driving.enter == Enter::forward ? in_slot.turned_about() : in_slot;
+    };
+    const Outline frame = seen(car.outline());
+    Problem problem{frame.grown(driving.clearance),
+                    (low_curb ? seen(car.wheels()) : frame).grown(driving.at_curb()),
+                    frame,
+                    car.turning_radius(),
+                    slot.length(),
+                    slot.width(),
+                    slot.front_setback(),
+                    slot.rear_setback(),
+                    parked,
+                    1e-13 * (car.length() + car.width() + driving.clearance + car.turning_radius())};
+    if (driving.enter == Enter::forward) std::swap(problem.front_setback, problem.rear_setback);
     return problem;
 }
 

@@ -19,29 +19,12 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/entering.hpp"
 #include "model/angles.hpp"
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 
 namespace snug::detail {
-
-/// How far the frame reaches from the rear axle centre. [m]
-struct Extents {
-    double front = 0.0;
-    double left = 0.0;
-    double rear = 0.0;
-    double right = 0.0;
-};
-
-/// What the strategy needs to know of a car and a slot, in the slot frame.
-struct Problem {
-    Extents touching;     ///< the frame that must not touch (grown by the clearance)
-    Extents parked;       ///< the frame that must be inside
-    double radius = 0.0;  ///< turning radius [m]
-    double length = 0.0;  ///< of the slot [m]
-    double width = 0.0;   ///< of the slot [m]
-    double touch = 0.0;   ///< closer than this is touching: what rounding may do to a position [m]
-};
 
 /// What a turning car meets.
 enum class Meets : unsigned char {
@@ -129,10 +112,10 @@ struct QuarterFrame {
 using TurningFrame = std::array<QuarterFrame, 4>;
 
 /// `offset`: how far the turning centre lies to the left of the rear axle centre (negative: to the right). [m]
-inline TurningFrame turning_frame(const Extents& touching, const Extents& parked, double offset) {
+inline TurningFrame turning_frame(const Outline& touching, const Outline& parked, double offset) {
     TurningFrame frames;
-    const std::array<double, 4> outer = {touching.front, touching.left, touching.rear, touching.right};
-    const std::array<double, 4> inner = {parked.front, parked.left, parked.rear, parked.right};
+    const std::array<double, 4> outer = {touching.front(), touching.left(), touching.rear(), touching.right()};
+    const std::array<double, 4> inner = {parked.front(), parked.left(), parked.rear(), parked.right()};
     const std::array<double, 4> centre_x = {0.0, offset, 0.0, -offset};
     const std::array<double, 4> centre_y = {offset, 0.0, -offset, 0.0};
     for (std::size_t q = 0; q < 4; ++q) {

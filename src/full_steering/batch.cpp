@@ -22,11 +22,11 @@ bool lies_in(const std::vector<Headings>& ranges, double heading) {
 /// By how much the frame clears what it could overlap at the entry position, and its corner the front side on the first
 /// move: possible_headings() without its inverse functions, so exact but for rounding. [m]
 double entry_clears(const Problem& problem, double c, double s) {
-    const Extents& car = problem.touching;
-    const double length = car.front + car.rear;
-    const double width = car.left + car.right;
+    const Outline& car = problem.body;
+    const double length = car.front() + car.rear();
+    const double width = car.left() + car.right();
     const double front_and_curb =
-        std::min((problem.radius + car.right) * c - car.front * s, problem.width - length * s);
+        std::min((problem.radius + car.right()) * c - car.front() * s, problem.width - length * s);
     const double tail_below = width * c - length * s;  // the entry side
     const double rear = std::max(std::min(problem.length * c - length, tail_below),
                                  std::min(problem.length - length * c - width * s, -tail_below));
@@ -82,7 +82,7 @@ bool Cases::is_entry(double heading, const QuarterHeading& direction) const {
     if (slots_ == nullptr) return lies_in(possible_, heading);
     const Problem& problem = steering_.problem;
     const double clears = entry_clears(problem, direction.c, direction.s);
-    const double close = 1e-9 * (problem.length + problem.touching.front + problem.touching.rear + problem.radius);
+    const double close = 1e-9 * (problem.length + problem.body.front() + problem.body.rear() + problem.radius);
     if (std::abs(clears) > close) return clears > 0.0;
     return lies_in(possible_headings(problem), heading);
 }
@@ -95,7 +95,7 @@ using namespace detail;
 
 std::vector<int> drive_all(const Car& car, const Slot& first, const std::vector<Slot>* slots,
                            const std::vector<double>& headings, const MaxSteerOptions& options) {
-    FullSteering steering(entering_problem(car, first, options.driving.enter, options.driving.clearance));
+    FullSteering steering(entering_problem(car, first, options.driving, options.parked));
     Cases cases(steering, headings, slots, options.max_changes);
     detail::drive_all(cases);
     return std::move(cases.answers());

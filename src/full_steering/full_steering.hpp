@@ -21,8 +21,8 @@ struct FullSteering {
 
     explicit FullSteering(const Problem& of)
         : problem(of),
-          backward(turning_frame(of.touching, of.parked, of.radius)),
-          forward(turning_frame(of.touching, of.parked, -of.radius)) {}
+          backward(turning_frame(of.body, of.frame, of.radius)),
+          forward(turning_frame(of.body, of.frame, -of.radius)) {}
 };
 
 /// What one move did.
@@ -52,8 +52,8 @@ public:
     FullSteeringRun(const FullSteering& steering, double entry_heading) : steering_(&steering) {
         const auto [sine, cosine] = angles::sine_cosine(entry_heading);
         heading_ = {cosine, sine, 0};
-        const double front = steering.problem.touching.front;
-        const double side = steering.problem.touching.right + steering.problem.radius;
+        const double front = steering.problem.body.front();
+        const double side = steering.problem.body.right() + steering.problem.radius;
         x_ = -front * heading_.c - side * heading_.s;
         y_ = -front * heading_.s + side * heading_.c;
         x_slope_ = -y_;

@@ -357,10 +357,10 @@ private:
 }  // namespace
 
 std::vector<Headings> possible_headings(const Problem& problem) {
-    const double length = problem.touching.front + problem.touching.rear;
-    const double width = problem.touching.left + problem.touching.right;
+    const double length = problem.body.front() + problem.body.rear();
+    const double width = problem.body.left() + problem.body.right();
     if (length > problem.length) return {};
-    double largest = angles::atan2(problem.radius + problem.touching.right, problem.touching.front);
+    double largest = angles::atan2(problem.radius + problem.body.right(), problem.body.front());
     if (problem.width < length) largest = std::min(largest, angles::asin(problem.width / length));
     largest = std::min(largest, quarter_turn);
 

@@ -39,7 +39,7 @@ MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const Ma
     check(options);
     check_entry_heading(heading);
     MaxSteerRun run{Outcome::no_entry, {car, {}}};
-    const FullSteering steering(entering_problem(car, slot, options.driving.enter, options.driving.clearance));
+    const FullSteering steering(entering_problem(car, slot, options.driving, options.parked));
     const std::vector<Headings> possible = possible_headings(steering.problem);
     if (std::none_of(possible.begin(), possible.end(),
                      [heading](const Headings& range) { return range.min <= heading && heading <= range.max; }))

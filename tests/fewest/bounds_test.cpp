@@ -36,7 +36,7 @@ struct Place {
         : asked(from),
           car(from.car),
           slot({.length = from.slot.length, .width = from.slot.width}),
-          problem(entering_problem(car, slot, snug::Enter::backward, from.driving.clearance)) {}
+          problem(entering_problem(car, slot, from.driving)) {}
 };
 
 std::vector<Place> places(int count) {
@@ -116,10 +116,10 @@ TEST(LowerBound, NoRealMotionIsHigherThanItAllows) {
                         for (int i = 0; i <= steps && !gone; ++i) {
                             const Pose at = drive(place.car, pose, direction, steering, length * i / steps);
                             const double c = std::cos(at.heading), s = std::sin(at.heading);
-                            const double side = place.problem.touching.left;
+                            const double side = place.problem.body.left();
                             gone = std::abs(at.heading) > 1.2 ||
-                                   at.x + place.problem.touching.front * c + side * s > 1e-6 ||
-                                   at.x - place.problem.touching.rear * c + side * s < -place.slot.length() - 1e-6;
+                                   at.x + place.problem.body.front() * c + side * s > 1e-6 ||
+                                   at.x - place.problem.body.rear() * c + side * s < -place.slot.length() - 1e-6;
                             if (gone) break;
                             const double across = place.problem.radius * s;
                             const int a = static_cast<int>(std::floor((at.x - across) / spacing + 0.5));
