@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/subcommands.hpp"
 #include "cli/progress.hpp"
+#include "cli/subcommands.hpp"
 #include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 

@@ -118,8 +118,7 @@ int verify_exported(const std::string& path, int count) {
 int verify_database(const std::string& path, int count) {
     const AtlasDatabase database(path);
     const AtlasPlan& plan = database.plan();
-    if (const std::string trouble = database.trouble(); !trouble.empty())
-        throw damaged(path, trouble);
+    if (const std::string trouble = database.trouble(); !trouble.empty()) throw damaged(path, trouble);
     each_cell(database, [](std::size_t, double, double, const CellAnswer&) {});  // looks at every one
     Cells cells = {plan.options, plan.cars, plan.widths, plan.lengths, {}};
     cells.at = [&](std::size_t car, std::size_t width, std::size_t length) {

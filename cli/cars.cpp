@@ -15,11 +15,14 @@ constexpr double degree = std::numbers::pi / 180.0;
 
 constexpr const char* examples =
     "A car file is a JSON object with lengths in metres and one of max_steer\n"
-    "(radians), max_steer_deg, turning_radius (of the rear axle centre) or\n"
-    "curb_to_curb (diameter, as data sheets give it); front and rear are measured\n"
-    "from the rear axle; name is optional:\n"
+    "(radians), max_steer_deg, turning_radius (of the rear axle centre), curb_to_curb\n"
+    "or wall_to_wall (diameters, as data sheets give them); front and rear are\n"
+    "measured from the rear axle, or front_overhang and rear_overhang (or length and\n"
+    "one of them) are given; name is optional:\n"
     "  {\"name\": \"my-car\", \"width\": 1.8, \"front\": 3.6, \"rear\": 0.8, \"wheelbase\": 2.6,\n"
-    "   \"curb_to_curb\": 10.8}\n\n"
+    "   \"curb_to_curb\": 10.8}\n"
+    "corner_radius (a number, or {\"front\": M, \"rear\": M}) rounds the corners; outline,\n"
+    "a list of [x, y] about the middle of the rear axle, is any convex shape.\n\n"
     "Examples:\n"
     "  snug cars\n"
     "  snug cars renault-zoe --format json > my-car.json\n"

@@ -4,8 +4,8 @@
 #include <exception>
 #include <new>
 
-#include "cli/subcommands.hpp"
 #include "cli/output.hpp"
+#include "cli/subcommands.hpp"
 
 namespace snug::cli {
 namespace {
@@ -41,7 +41,8 @@ Action parse(const Arguments& arguments) { return choose(subcommands, arguments)
 
 int run(const Arguments& arguments) {
     std::string prefix = "snug: ";
-    if (!arguments.empty() && find(subcommands, arguments.front()) != nullptr) prefix = "snug " + arguments.front() + ": ";
+    if (!arguments.empty() && find(subcommands, arguments.front()) != nullptr)
+        prefix = "snug " + arguments.front() + ": ";
     return answered(prefix, [&] { return parse(arguments)(); });
 }
 

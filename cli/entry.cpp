@@ -51,7 +51,7 @@ struct Asked {
                       "--max-changes", "N",
                       "All headings with at most that many direction\nchanges, instead of the fewest up to 200.", 0,
                       limits::most_changes)),
-          min_range(options.number("--min-range", "RAD", "Leave out narrower stretches of headings [rad] (0).",
+          min_range(options.number("--min-range", "RAD", "Leave out narrower ranges of headings [rad] (0).",
                                    {" rad", 0.0, limits::quarter_turn})),
           planner(options.group("Strategy")
                       .choice<Planner>(

@@ -104,15 +104,15 @@ SlotDimensions SlotOptions::dimensions(const Car& car) const {
 }
 
 NeighbourOptions::NeighbourOptions(Options& options)
-    : front_setback(options.group("Neighbours and curb").number("--front-setback", "M",
-                                    "How much deeper than the road's edge the front\nneighbour begins [m] (0).",
-                                    distance)),
+    : front_setback(options.group("Neighbours and curb")
+                        .number("--front-setback", "M",
+                                "How much deeper than the road's edge the front\nneighbour begins [m] (0).", distance)),
       rear_setback(options.number("--rear-setback", "M", "Likewise the rear neighbour [m] (0).", distance)),
-      curb(options.choice<Curb>("--curb", "CURB",
-                                "high (default): it stops the whole car; low: only\nthe wheels, the body may pass over it.",
-                                {{"high", Curb::high}, {"low", Curb::low}})),
-      curb_clearance(options.number("--curb-clearance", "M",
-                                    "Distance to keep from the curb [m] (as --clearance).", distance)) {}
+      curb(options.choice<Curb>(
+          "--curb", "CURB", "high (default): it stops the whole car; low: only\nthe wheels, the body may pass over it.",
+          {{"high", Curb::high}, {"low", Curb::low}})),
+      curb_clearance(
+          options.number("--curb-clearance", "M", "Distance to keep from the curb [m] (as --clearance).", distance)) {}
 
 void NeighbourOptions::describe(SlotDimensions& slot) const {
     check_setback(front_setback, slot.width);
@@ -123,8 +123,9 @@ void NeighbourOptions::describe(SlotDimensions& slot) const {
 }
 
 ParkedOptions::ParkedOptions(Options& options)
-    : heading(options.group("What counts as parked").number("--parked-heading", "DEG", "At most so far off parallel [degrees] (any heading).",
-                              {" degrees", 0.0, 90.0})),
+    : heading(options.group("What counts as parked")
+                  .number("--parked-heading", "DEG", "At most so far off parallel [degrees] (any heading).",
+                          {" degrees", 0.0, 90.0})),
       curb(options.number("--parked-curb", "M",
                           "The car's nearest point at most so far from the\ncurb [m] (anywhere in the slot).",
                           distance)) {}
@@ -142,7 +143,7 @@ Option<double> clearance_option(Options& options) {
 
 DrivingOptions::DrivingOptions(Options& options)
     : enter(options.group("Driving").choice<Enter>("--enter", "HOW", "backward (default), or forward: nose first.",
-                                   {{"backward", Enter::backward}, {"forward", Enter::forward}})),
+                                                   {{"backward", Enter::backward}, {"forward", Enter::forward}})),
       clearance(clearance_option(options)) {}
 
 Driving DrivingOptions::driving() const {
@@ -172,9 +173,10 @@ SteppingOptions::SteppingOptions(Options& options)
     : step(options.number("--step", "M", "stepping: path of one step [m] (0.001).", {" m", 1e-7, 1.0})),
       heading_step(options.number("--heading-step", "RAD", "stepping: between entry headings [rad] (0.0001).",
                                   {" rad", 1e-6, limits::quarter_turn})),
-      stop(options.choice<StopRule>("--stop", "WHEN",
-                                    "stepping: looks whether the car is parked on\ncontact (default), or after every step: inside.",
-                                    {{"contact", StopRule::contact}, {"inside", StopRule::inside}})) {}
+      stop(options.choice<StopRule>(
+          "--stop", "WHEN",
+          "stepping: looks whether the car is parked on\ncontact (default), or after every step: inside.",
+          {{"contact", StopRule::contact}, {"inside", StopRule::inside}})) {}
 
 Stepping SteppingOptions::stepping(bool asked_for) const {
     belongs_to(step, asked_for, "stepping");
@@ -204,8 +206,8 @@ void refuse_for_baselines(Planner planner, const NeighbourOptions& neighbours, c
 }
 
 OutputOptions::OutputOptions(Options& options, const std::string& formats)
-    : chosen(options.group("Output").choice<Format>("--format", "FORMAT", formats,
-                                     {{"text", Format::text}, {"json", Format::json}, {"csv", Format::csv}})),
+    : chosen(options.group("Output").choice<Format>(
+          "--format", "FORMAT", formats, {{"text", Format::text}, {"json", Format::json}, {"csv", Format::csv}})),
       file(options.text("-o,--output", "FILE", "Write the answer there, whole or not at all.")) {}
 
 Format OutputOptions::format_without_csv(const std::string& why_no_csv) const {

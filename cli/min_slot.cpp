@@ -53,7 +53,7 @@ struct Asked {
           extra_lengths(options.numbers("--extra-length", "RANGE", "Lengths beyond the car's [m].", extra)),
           max_length(
               options.number("--max-length", "M", "No longer slots [m] (4 m more than the car's length).", size)),
-          min_range(options.number("--min-range", "RAD", "Entry headings must hold a stretch that wide [rad]\n(0).",
+          min_range(options.number("--min-range", "RAD", "Entry headings must hold a range that wide [rad]\n(0).",
                                    {" rad", 0.0, limits::quarter_turn})),
           neighbours(options),
           parked(options),

@@ -8,8 +8,8 @@
 #include "cli/groups.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "sentences/spelling.hpp"
 #include "paper/paper.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 
 namespace snug::cli {

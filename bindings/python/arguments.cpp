@@ -10,6 +10,10 @@ std::vector<std::pair<std::string_view, Side>> words() {
     return {{"right", Side::right}, {"left", Side::left}};
 }
 template <>
+std::vector<std::pair<std::string_view, Curb>> words() {
+    return {{"high", Curb::high}, {"low", Curb::low}};
+}
+template <>
 std::vector<std::pair<std::string_view, Direction>> words() {
     return {{"backward", Direction::backward}, {"forward", Direction::forward}};
 }

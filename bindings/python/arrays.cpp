@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "arguments.hpp"
-#include "sentences/check.hpp"
 #include "module.hpp"
 #include "progress.hpp"
+#include "sentences/check.hpp"
 
 namespace snug::python {
 
