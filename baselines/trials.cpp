@@ -49,7 +49,7 @@ struct Ground {
     }
 
     [[nodiscard]] FirstContact meets(const Pose& pose, Direction direction, double steering_angle) const {
-        return first_contact(car, slot, pose, direction, steering_angle, clearance);
+        return first_contact(car, slot, pose, direction, steering_angle, {.clearance = clearance});
     }
     [[nodiscard]] bool free(const Pose& pose, Direction direction, double steering_angle, double distance) const {
         return meets(pose, direction, steering_angle).distance >= distance;

@@ -68,7 +68,7 @@ private:
     [[nodiscard]] std::optional<Move> piece(const Pose& from, Direction direction, const Characteristic& to) const;
     [[nodiscard]] bool free(const Move& move) const {
         return first_contact(ground_.car, ground_.slot, move.start, move.direction, move.steering_angle,
-                             ground_.clearance)
+                             {.clearance = ground_.clearance})
                    .distance >= move.length;
     }
     /// Appends the pieces of a leg from the last pose on; false where one meets something.
@@ -175,7 +175,7 @@ bool Smoother::cut_at_p(std::vector<Move>& moves) const {
         pose = level->end;
     }
     pose.y += touching;
-    return !first_contact(ground_.car, ground_.slot, pose, Direction::forward, 0.0, ground_.clearance).contact;
+    return !first_contact(ground_.car, ground_.slot, pose, Direction::forward, 0.0, {.clearance = ground_.clearance}).contact;
 }
 
 std::vector<Move> Smoother::driven(const Plan& plan) const {
@@ -443,7 +443,7 @@ std::vector<Move> turned_round(const std::vector<Move>& moves) {
 std::vector<Move> with_contacts(const Ground& ground, std::vector<Move> moves) {
     for (Move& move : moves) {
         const FirstContact met =
-            first_contact(ground.car, ground.slot, move.start, move.direction, move.steering_angle, ground.clearance);
+            first_contact(ground.car, ground.slot, move.start, move.direction, move.steering_angle, {.clearance = ground.clearance});
         move.contact.reset();
         if (std::abs(met.distance - move.length) <= touching) move.contact = met.contact;
     }

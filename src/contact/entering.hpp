@@ -27,9 +27,12 @@ struct Problem {
 };
 Problem entering_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked = {});
 
-/// From the entering frame to the world.
+/// From the entering frame to the world and back.
 Pose to_world(const Slot& slot, Enter enter, const Pose& pose);
+Pose to_entering(const Slot& slot, Enter enter, const Pose& pose);
 Contact to_world(const Slot& slot, Enter enter, const Contact& contact);
+/// The obstacle in the place of this one, were the front the rear.
+Obstacle other_end(Obstacle obstacle);
 
 inline Direction reverse_of(Direction direction) {
     return direction == Direction::forward ? Direction::backward : Direction::forward;
