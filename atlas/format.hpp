@@ -143,7 +143,7 @@ constexpr BodyParts body_parts(std::uint64_t ranges, std::uint64_t moves, bool w
 /// A move's code: what ends it in bits 0 to 5, its steering in bits 6 and 7.
 enum class Steering : std::uint8_t { full_right, straight, full_left, stored };
 constexpr std::uint8_t obstacles = 5;
-constexpr std::uint8_t most_contact = 1 + 7 * obstacles + 4;
+constexpr std::uint8_t most_contact = 1 + 11 * obstacles + 4;
 constexpr std::uint8_t contact_bits = 63;
 
 /// A checksum of whole words: four chains side by side, because one would wait for its multiplications. Each step can be

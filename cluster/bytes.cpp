@@ -186,7 +186,7 @@ AtlasMove read_move(Reader& from) {
     move.steering_angle = from.real();
     move.length = from.real();
     if (from.flag()) {
-        const auto part = CarPart{from.choice(0, static_cast<int>(CarPart::right_edge))};
+        const auto part = CarPart{from.choice(0, static_cast<int>(CarPart::front_right_wheel))};
         const auto obstacle = Obstacle{from.choice(0, static_cast<int>(Obstacle::rear_corner))};
         move.contact = Contact{part, obstacle};
     }

@@ -36,7 +36,7 @@ std::vector<std::pair<std::string_view, Outcome>> words() {
 template <>
 std::vector<std::pair<std::string_view, CarPart>> words() {
     std::vector<std::pair<std::string_view, CarPart>> all;
-    for (int i = 0; i <= static_cast<int>(CarPart::right_edge); ++i)
+    for (int i = 0; i <= static_cast<int>(CarPart::front_right_wheel); ++i)
         all.emplace_back(to_string(static_cast<CarPart>(i)), static_cast<CarPart>(i));
     return all;
 }

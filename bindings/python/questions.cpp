@@ -421,10 +421,10 @@ void define_contact(py::module_& module) {
         "the left, 0 straight) [rad] first touches the curb or a neighbour, in closed form. Returns a FirstContact.\n"
         "`clearance` [m] grows the frame on every side for contacts, not for being inside.",
         [](const Arguments& given) {
-            double clearance = 0.0;
-            given.read("clearance", clearance);
+            Driving driving;
+            given.read("clearance", driving.clearance);
             return first_contact(given.get<Car>("car"), given.get<Slot>("slot"), given.get<Pose>("pose"),
-                                 given.get<Direction>("direction"), given.get<double>("steering_angle"), clearance);
+                                 given.get<Direction>("direction"), given.get<double>("steering_angle"), driving);
         });
 }
 

@@ -15,6 +15,7 @@ _Outcome = Literal["parked", "no_entry", "stuck", "never_touches", "too_many_cha
 _Part = Literal[
     "front-left corner", "rear-left corner", "rear-right corner", "front-right corner",
     "front edge", "left edge", "rear edge", "right edge",
+    "front-left wheel", "rear-left wheel", "rear-right wheel", "front-right wheel",
 ]
 _Obstacle = Literal["front side", "rear side", "curb", "front corner", "rear corner"]
 _Point = Point | tuple[float, float]
