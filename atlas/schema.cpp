@@ -138,11 +138,15 @@ StoredPlan read_plan(const Connection& connection, const std::string& path) try 
         std::vector<Point> corners;
         outline.with(cars.integer(0));
         while (outline.row()) corners.push_back({outline.real(0), outline.real(1)});
-        if (corners.empty())
-            stored.plan.cars.emplace_back(
-                CarDimensions{cars.real(2), cars.real(3), cars.real(4), cars.real(5), cars.real(6)}, cars.text(1));
-        else
-            stored.plan.cars.emplace_back(Outline(corners), cars.real(5), cars.real(6), cars.text(1));
+        const CarDimensions dimensions = {cars.real(2), cars.real(3), cars.real(4), cars.real(5), cars.real(6)};
+        const std::string name = cars.text(1);
+        if (corners.empty()) {
+            stored.plan.cars.emplace_back(dimensions, name);
+            continue;
+        }
+        stored.plan.cars.emplace_back(Outline(corners), dimensions.wheelbase, dimensions.max_steer, name);
+        if (stored.plan.cars.back().dimensions() != dimensions)
+            throw Error("the outline of " + in_quotes(name) + " does not go with its width, front and rear");
     }
     stored.plan.widths = read_sizes(connection, "SELECT width FROM slot_width ORDER BY width");
     stored.plan.lengths = read_sizes(connection, "SELECT length FROM slot_length ORDER BY length");

@@ -333,7 +333,7 @@ TEST(AtlasDatabase, RefusesWhatIsNone) {
         return file;
     };
     expect(read(with_sql("PRAGMA application_id = 5")), "another program");
-    expect(read(with_sql("PRAGMA user_version = 2")), "version 2 of the atlas's tables");
+    expect(read(with_sql("PRAGMA user_version = 1")), "version 1 of the atlas's tables");
     expect(refused(with_sql("UPDATE provenance SET value = '0.0.1' WHERE key = 'snug'"), small_plan()),
            "answers of snug 0.0.1");
     const AtlasDatabase damaged(with_sql("DELETE FROM car"));
