@@ -16,11 +16,16 @@ namespace snug {
 
 namespace {
 
+/// A contact as it is stored: by the names of its parts.
+std::optional<Contact> named(const std::optional<Contact>& contact) {
+    return contact ? std::optional(Contact{contact->part, contact->obstacle}) : std::nullopt;
+}
+
 void keep(CellAnswer& answer, const std::optional<Maneuver>& maneuver) {
     if (!maneuver) return;
     answer.entry = maneuver->entry();
     for (const Move& move : maneuver->moves)
-        answer.moves.push_back({move.direction, move.steering_angle, move.length, move.contact});
+        answer.moves.push_back({move.direction, move.steering_angle, move.length, named(move.contact)});
 }
 
 std::optional<CellAnswer> solve_max_steer(const Car& car, const Slot& slot, const AtlasOptions& options,

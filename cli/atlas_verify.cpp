@@ -1,7 +1,6 @@
 // snug atlas verify: is a database or an exported file whole, and does it say what the solver says?
 #include <algorithm>
 #include <random>
-#include <tuple>
 
 #include "atlas/damage.hpp"
 #include "cli/atlas.hpp"
@@ -45,30 +44,6 @@ CellAnswer answer_of(const AtlasCell& cell) {
     return answer;
 }
 
-bool same(const std::optional<Contact>& one, const std::optional<Contact>& other) {
-    if (!one || !other) return !one && !other;
-    return one->part == other->part && one->obstacle == other->obstacle;
-}
-
-bool same(const CellAnswer& one, const CellAnswer& other) {
-    const auto tied = [](const CellAnswer& answer) {
-        return std::tie(answer.direction_changes, answer.lower_bound, answer.proved, answer.entry.x, answer.entry.y,
-                        answer.entry.heading);
-    };
-    return tied(one) == tied(other) &&
-           std::equal(one.ranges.begin(), one.ranges.end(), other.ranges.begin(), other.ranges.end(),
-                      [](const HeadingRange& a, const HeadingRange& b) {
-                          return std::tie(a.min, a.max, a.direction_changes, a.subrange) ==
-                                 std::tie(b.min, b.max, b.direction_changes, b.subrange);
-                      }) &&
-           std::equal(one.moves.begin(), one.moves.end(), other.moves.begin(), other.moves.end(),
-                      [](const AtlasMove& a, const AtlasMove& b) {
-                          return std::tie(a.direction, a.steering_angle, a.length) ==
-                                     std::tie(b.direction, b.steering_angle, b.length) &&
-                                 same(a.contact, b.contact);
-                      });
-}
-
 /// Solves some cells again, drawn at random but the same each time, and throws Error at the first that differs.
 void solve_some(const Cells& cells, int count) {
     const std::function<bool(double)> progress = show_progress();
@@ -81,7 +56,7 @@ void solve_some(const Cells& cells, int count) {
         const std::optional<CellAnswer> stored = cells.at(car, width, length);
         const std::optional<CellAnswer> again =
             solve(cells.cars[car], cells.widths[width], cells.lengths[length], cells.options);
-        if (stored && !same(*stored, *again))
+        if (stored && *stored != *again)
             throw Error("what is stored of " + in_quotes(cells.cars[car].name()) + " in the slot of " +
                         spelled(cells.lengths[length]) + " x " + spelled(cells.widths[width]) +
                         " m is not what this snug answers; build the atlas again");

@@ -81,7 +81,8 @@ Json as_json(const Move& move) {
 Json as_json(const Maneuver& maneuver) {
     Json moves = Json::array();
     for (const Move& move : maneuver.moves) {
-        moves.push_back(as_json(move));
+        Json& one = moves.emplace_back(as_json(move));
+        if (move.contact && !maneuver.car.is_rectangle()) one["contact"]["index"] = move.contact->part_index;
     }
     return {{"direction_changes", maneuver.direction_changes()},
             {"length", maneuver.length()},

@@ -75,7 +75,8 @@ export interface Move {
     length: number;
     start: Pose;
     end: Pose;
-    contact: { car: string; obstacle: string } | null;
+    /** `index`: which corner of an outline. */
+    contact: { car: string; obstacle: string; index?: number } | null;
 }
 
 export interface Maneuver {

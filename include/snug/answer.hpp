@@ -46,6 +46,8 @@ struct Answer {
     double spacing = 0.0;
 
     [[nodiscard]] bool parkable() const { return direction_changes.has_value(); }
+
+    friend bool operator==(const Answer&, const Answer&) = default;
 };
 
 /// Where to enter from: small errors in the heading do the least harm in the middle of the widest range. That with so many
