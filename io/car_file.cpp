@@ -23,8 +23,8 @@ constexpr double agreement = 1e-9;  // of values that say the same, relative
 constexpr double least_length = 1e-3;  // [m]
 constexpr double most_width = 10.0;    // [m]
 constexpr double most_length = 50.0;   // [m]
-constexpr double least_steer = 10.0 * degree;
-constexpr double most_steer = 75.0 * degree;
+constexpr double least_steer = 5.0 * degree;
+constexpr double most_steer = 80.0 * degree;
 
 /// What cars on roads measure, to tell by it which unit somebody had in mind. [m]
 struct Usual {
@@ -93,7 +93,8 @@ private:
 
     void check(const std::string& key, double value, double least, double most, const std::string& unit,
                const std::string& hint) const {
-        if (value >= least && value <= most) return;
+        constexpr double rounding = 1e-12;  // of a bound turned from one unit into another
+        if (value >= least * (1.0 - rounding) && value <= most * (1.0 + rounding)) return;
         complain(key, "is " + spelled(value) + unit + ", but must lie between " + spelled(least) + " and " +
                           spelled(most) + unit + hint);
     }

@@ -127,8 +127,8 @@ TEST(CarFile, SlipsAreToldForWhatTheyAre) {
     expect(R"("width": 1.8, "length": 0.7, "rear": 0.8, "wheelbase": 2.6, "max_steer": 0.6)", {"\"length\""});
     expect(lengths + R"(, "max_steer": 33)", {"\"max_steer\" is 33 rad", "33 degrees are 0.575959 rad"});
     expect(lengths + R"(, "max_steer_deg": 0.6)", {"\"max_steer_deg\" is 0.6 degrees", "0.6 rad are 34.3775 degrees"});
-    expect(lengths + R"(, "max_steer_deg": 5)", {"\"max_steer_deg\" is 5 degrees", "circle of 29.718 m radius"});
-    expect(lengths + R"(, "curb_to_curb": 35)", {"\"curb_to_curb\" is 35 m", "looks like feet", "10.668 m"});
+    expect(lengths + R"(, "max_steer_deg": 2)", {"\"max_steer_deg\" is 2 degrees", "circle of 74.454 m radius"});
+    expect(lengths + R"(, "curb_to_curb": 10900)", {"\"curb_to_curb\" is 10900 m", "looks like millimetres", "10.9 m"});
     expect(lengths + R"(, "max_steer": 0.6, "length": 4.5)", {"\"length\"", "agree", "4.4"});
 }
 

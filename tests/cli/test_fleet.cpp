@@ -44,8 +44,8 @@ TEST(Fleet, TheCatalogueReadsBackAsItIsPrinted) {
 TEST(Fleet, AnyCarReadsBackFromAllItsColumns) {
     const Folder folder;
     for (const char* car :
-         {R"("width": 10, "front": 1e-3, "rear": 1e-3, "wheelbase": 1e-3, "max_steer_deg": 75)",
-          R"("width": 1e-3, "front": 50, "rear": 1e-3, "wheelbase": 50, "max_steer_deg": 10)",
+         {R"("width": 10, "front": 1e-3, "rear": 1e-3, "wheelbase": 1e-3, "max_steer_deg": 80)",
+          R"("width": 1e-3, "front": 50, "rear": 1e-3, "wheelbase": 50, "max_steer_deg": 5)",
           R"("width": 1.8, "front": 3.6, "rear": 0.8, "wheelbase": 2.6, "max_steer": 0.6, "corner_radius": 0.3)"}) {
         const std::string file = folder.with("car.json", std::string(R"({"name": "a \"b\", ü", )") + car + "}");
         ASSERT_EQ(run("cars --format csv -o " + folder.file("fleet.csv") + " " + file).exit_code, 0);
