@@ -158,7 +158,7 @@ inline First<Plain<double>> first_in_sector(const TurningFrame& frame, const Sec
         first.edge_meets_corner(frame.edges[i], -x, -around.above_front, problem.touch, Meets::front_corner, static_cast<int>(i));
     for (std::uint32_t i = sector.rear_edges; i != sector.rear_edges_end; ++i)
         first.edge_meets_corner(frame.edges[i], -x - problem.length, -around.above_rear, problem.touch,
-                                Meets::rear_corner, frame.edge_indices[i]);
+                                Meets::rear_corner, static_cast<int>(i));
     first.settle();
     return first;
 }

@@ -68,8 +68,7 @@ std::string attack_from_above(const MinSlotCase& asked, double size) {
     const Case sized = asked.in_slot_of(size + tenth_of_a_millimetre);
     snug::EntryOptions options;
     options.max_changes = asked.max_changes;
-    options.driving.driving.clearance = sized.driving.clearance;
-    options.driving.driving.enter = sized.driving.enter;
+    options.driving = sized.driving;
     const snug::Answer answer = snug::entry(snug::Car(sized.car, sized.car_name), snug::Slot(sized.slot), options);
     if (!answer.maneuver) return "no maneuver in a slot 0.1 mm larger, " + asked.line(size);
     const double sign = sized.driving.enter == snug::Enter::backward ? 1.0 : -1.0;

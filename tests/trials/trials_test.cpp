@@ -240,8 +240,8 @@ TEST(Trials, AnswerEntryWithAManeuverAndNoRanges) {
         ASSERT_TRUE(answer.maneuver);
         EXPECT_EQ(answer.direction_changes, answer.maneuver->direction_changes());
         options.max_changes = *answer.direction_changes - 1;
-        EXPECT_FALSE(entry(zoe, slot_of(5.0, 2.0), options).parkable);
-        EXPECT_FALSE(entry(zoe, slot_of(4.0, 2.0), options).parkable);
+        EXPECT_FALSE(entry(zoe, slot_of(5.0, 2.0), options).parkable());
+        EXPECT_FALSE(entry(zoe, slot_of(4.0, 2.0), options).parkable());
     }
 }
 
