@@ -1119,10 +1119,11 @@ private:
         if (failure.kind == Failure::at_root && q.along != 0.0 && q.noise() < infinity) {
             const double root = -q.mid / q.along;
             const double wide = 1.01 * q.noise() / std::abs(q.along) + 0.3 * narrowest / half;
-            if (wide < 0.3 && root > -1.0 - wide && root < 1.0 + wide) {
-                const double a = middle + half * (root - wide);
-                const double b = middle + half * (root + wide);
-                if (b < box.max) boxes.push_back({std::max(b, box.min), box.max});
+            if (wide < 0.3 && std::abs(root) < 1.0 + wide) {
+                const double at = std::clamp(root, -1.0, 1.0);
+                const double a = middle + half * (at - wide);
+                const double b = middle + half * (at + wide);
+                if (b < box.max) boxes.push_back({b, box.max});
                 boxes.push_back({std::max(a, box.min), std::min(b, box.max)});
                 if (a > box.min) boxes.push_back({box.min, a});
                 return;
