@@ -470,13 +470,16 @@ struct Doing {
     Sign sign = Sign::unknown;
     Sign going = Sign::unknown;
     Form value;
-    Form pace;  ///< about d g / d heading: where to cut
+    double slope = 0.0;  ///< d g / d heading, and how it changes with the heading, in the middle
+    double bend = 0.0;
+    Doing() = default;
     Doing(const Condition& of, const State& state, const HeadingForm& at) {
         const Gap gap = gap_of(of, state, at.c, at.s);
         value = gap.at(at.off);
         sign = sign_of(value);
         const Gap::Slopes slopes = gap.slopes(at.off);
-        pace = (-gap.bend * at.off + gap.slope).with_rest(gap.slope_error);
+        slope = gap.slope;
+        bend = gap.bend;
         going = slopes.greatest < 0.0 ? Sign::positive : slopes.least > 0.0 ? Sign::negative : Sign::unknown;
     }
 };
@@ -587,7 +590,7 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
         return all;
     }
     // It cannot be told at the beginning.
-    if (first.going == Sign::unknown) return fail(Failure::at_root, known ? first.pace : first.value);
+    if (first.going == Sign::unknown) return fail(Failure::at_root, known ? -first.bend * from.off + first.slope : first.value);
     if (first.going == Sign::positive) {
         if (!begins(spell)) return fail(Failure::at_root, first.value);
         spell.to_end = true;
@@ -662,12 +665,19 @@ Meeting either(const Meeting& a, const Meeting& b) {
     return both;
 }
 
-constexpr std::size_t most_conditions = 64;
+/// Room for the conditions of one stage.
+struct Space {
+    std::vector<Doing> first, last;
+    std::vector<Spells> spells;
+    std::vector<int> at;
+    explicit Space(std::size_t most) : first(most), last(most), spells(most), at(most) {}
+};
 
 class Sweep {
 public:
-    Sweep(const Obstacle& obstacle, Met met, const State& state, const HeadingForm& until, bool until_contact)
-        : obstacle_(obstacle), met_(met), state_(state), until_(until), until_contact_(until_contact) {}
+    Sweep(const Obstacle& obstacle, Met met, const State& state, const HeadingForm& until, bool until_contact,
+          Space& space)
+        : obstacle_(obstacle), met_(met), state_(state), until_(until), until_contact_(until_contact), space_(space) {}
 
     [[nodiscard]] bool doubtful() const { return doubtful_; }
 
@@ -746,7 +756,7 @@ private:
             }
             int failing = -1;
             if (here.possible) {
-                const Meeting met = in_stage(here, stage, from, to, known, exact, failing);
+                const Meeting met = in_stage(here, stage, from, to, known, exact, last && met_ != goal && !until_contact_, failing);
                 switch (met.what) {
                     case Meeting::undecided:
                     case Meeting::stuck: return met;
@@ -794,47 +804,65 @@ private:
         return found(met_ == front ? Condition::below : Condition::left_of);
     }
 
+    /// Is a condition of the stage exactly zero where the move begins?
+    [[nodiscard]] bool zero_at_start(const Stage& stage, std::size_t index, std::size_t i) const {
+        if (state_.first) {
+            const int entry = stage.entry_condition;
+            return entry >= 0 && (static_cast<int>(i) == entry || static_cast<int>(i) + 1 == entry);
+        }
+        const Touched& touched = state_.touched[met_];
+        return touched.exact && touched.count == 1 && touched.at[0].stage == index && touched.at[0].condition == i;
+    }
+
     /// A contact comes back with failure.kind at_root where it may lie beyond `to`.
     [[nodiscard]] Meeting in_stage(const Stage& stage, std::size_t index, const HeadingForm& from,
-                                   const HeadingForm& to, int known, bool exact, int& failing) const {
+                                   const HeadingForm& to, int known, bool exact, bool closes, int& failing) const {
         const std::size_t count = stage.last - stage.first;
-        std::array<Form, most_conditions> at_end;
-        std::array<Spells, most_conditions> spells;
+        Doing* const first = space_.first.data();
+        Doing* const last = space_.last.data();
+        Spells* const spells = space_.spells.data();
+        int* const at = space_.at.data();
         // Quick: some condition fails all the time.
-        std::vector<Doing> doings;
-        doings.reserve(2 * count);
+        std::size_t unknown = 0;
+        std::size_t holding = 0;
         for (std::size_t i = 0; i < count; ++i) {
             const Condition& condition = obstacle_.conditions[stage.first + i];
-            doings.emplace_back(condition, state_, from);
-            doings.emplace_back(condition, state_, to);
+            first[i] = Doing(condition, state_, from);
+            if (first[i].sign == Sign::positive) ++holding;
+            if (first[i].sign == Sign::unknown) unknown = i;
+            if (first[i].sign == Sign::negative || static_cast<int>(i) == known) {
+                last[i] = Doing(condition, state_, to);
+                if (fails_throughout(first[i], last[i], static_cast<int>(i) == known)) {
+                    failing = static_cast<int>(i);
+                    return {};
+                }
+            }
         }
         // Nothing overlaps when a move begins: where all others hold, the one that cannot be told does not.
-        if (known < 0 && met_ != goal && from.angle == state_.start.angle) {
-            std::size_t unknown = 0;
-            std::size_t holding = 0;
-            for (std::size_t i = 0; i < count; ++i) {
-                if (doings[2 * i].sign == Sign::positive) ++holding;
-                if (doings[2 * i].sign == Sign::unknown) unknown = i;
-            }
-            if (holding + 1 == count && doings[2 * unknown].sign == Sign::unknown) {
-                known = static_cast<int>(unknown);
-                doubtful_ = state_.first;
-            }
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            if (fails_throughout(doings[2 * i], doings[2 * i + 1], static_cast<int>(i) == known)) {
-                failing = static_cast<int>(i);
+        const bool at_start = from.angle == state_.start.angle;
+        if (known < 0 && met_ != goal && at_start && holding + 1 == count && first[unknown].sign == Sign::unknown) {
+            known = static_cast<int>(unknown);
+            doubtful_ = state_.first;
+            last[unknown] = Doing(obstacle_.conditions[stage.first + unknown], state_, to);
+            if (fails_throughout(first[unknown], last[unknown], true)) {
+                failing = known;
                 return {};
             }
         }
         bool all_hold = true;
         bool stuck = false;
         for (std::size_t i = 0; i < count; ++i) {
+            const Condition& condition = obstacle_.conditions[stage.first + i];
             const bool is_known = static_cast<int>(i) == known;
             const bool is_exact = exact && (is_known || (state_.first && static_cast<int>(i) + 1 == known));
-            spells[i] = spells_of(obstacle_.conditions[stage.first + i], state_, from, to, doings[2 * i],
-                                  doings[2 * i + 1], is_known, is_exact);
-            at_end[i] = doings[2 * i + 1].value;
+            if (first[i].sign != Sign::negative && !is_known) last[i] = Doing(condition, state_, to);
+            if (closes && last[i].sign == Sign::unknown && zero_at_start(stage, index, i)) {
+                // Once around: exactly zero again.
+                if (last[i].going == Sign::positive) last[i].sign = Sign::negative;
+                if (last[i].going == Sign::negative) last[i].sign = Sign::positive;
+            }
+            spells[i] = spells_of(condition, state_, from, to, first[i], last[i], is_known, is_exact);
+            at[i] = 0;
             stuck = stuck || spells[i].zero_and_begins;
             all_hold = all_hold && spells[i].holds_at_start;
         }
@@ -860,7 +888,6 @@ private:
                 return undecided(spells[i].failure);
             }
         }
-        std::array<int, most_conditions> at{};
         for (;;) {
             Meeting met;
             met.what = Meeting::contact;
@@ -871,7 +898,7 @@ private:
                 if (at[i] >= spells[i].count) return {};
                 const Spell& spell = spells[i].spell[static_cast<std::size_t>(at[i])];
                 if (spell.from_start) continue;
-                if (spell.begins_late) late = true, late_by = at_end[i];
+                if (spell.begins_late) late = true, late_by = last[i].value;
                 if (!begun) {
                     met.at = spell.begin;
                     met.touched.add(index, i);
@@ -894,7 +921,7 @@ private:
                 for (std::size_t i = 0; i < count; ++i) {
                     const Spell& spell = spells[i].spell[static_cast<std::size_t>(at[i])];
                     if (!spell.to_end && !spells[i].holds_at_start)
-                        return undecided({Failure::at_root, doings[2 * i].value});
+                        return undecided({Failure::at_root, first[i].value});
                 }
             } else {
                 const Form before = off_from(met.at, from);
@@ -927,6 +954,7 @@ private:
     const State& state_;
     const HeadingForm& until_;
     bool until_contact_;
+    Space& space_;
     mutable bool doubtful_ = false;  ///< nothing overlaps at the entry position, if that is one
 };
 
@@ -996,7 +1024,8 @@ public:
           find_(find),
           hints_(hints),
           progress_(progress),
-          most_moves_(most_moves) {}
+          most_moves_(most_moves),
+          space_(std::max({problem.body.size(), problem.at_curb.size(), problem.frame.size()}) + 4) {}
 
     ProvedRanges run() {
         if (find_ == Find::all) {
@@ -1252,7 +1281,7 @@ private:
             Meeting contact;
             std::array<Touched, 3> touched;
             for (const auto& [angle, met] : order) {
-                const Sweep sweep(steering.of[met], met, state, until, contact.what == Meeting::contact);
+                const Sweep sweep(steering.of[met], met, state, until, contact.what == Meeting::contact, space_);
                 const Meeting meeting = sweep.meets();
                 doubtful = doubtful || sweep.doubtful();
                 if (meeting.what == Meeting::never) continue;
@@ -1286,7 +1315,7 @@ private:
                 }
             }
             if (contact.what == Meeting::stuck) return outcome;  // no entry, or stuck for good
-            const Meeting parked = Sweep(steering.of[goal], goal, state, until, false).meets();
+            const Meeting parked = Sweep(steering.of[goal], goal, state, until, false, space_).meets();
             if (parked.what == Meeting::undecided) {
                 outcome.what = Outcome::undecided;
                 outcome.failure = parked.failure;
@@ -1326,6 +1355,7 @@ private:
     const ProofHints& hints_;
     const Progress& progress_;
     std::size_t most_moves_;
+    Space space_;
     ProvedRanges found_;
 };
 
