@@ -122,16 +122,12 @@ struct Gap {
         return z.with_rest(slope_error * far + (std::abs(bend) + 2.0 * bend_error + unit * std::abs(bend)) * square +
                            std::abs(slope) * far * far * far * (1.0 / 6.0));
     }
-    /// The slope d g / d heading anywhere within `off`: its least and its greatest value.
-    struct Slopes {
-        double least = 0.0;
-        double greatest = 0.0;
-    };
-    [[nodiscard]] Slopes slopes(const Form& off) const {
+    /// d g / d heading there: slope cos a - bend sin a.
+    [[nodiscard]] Form pace(const Form& off) const {
         const double far = off.size();
-        const double error =
-            (slope_error + (std::abs(bend) + bend_error) * far + 0.5 * std::abs(slope) * far * far) * upward;
-        return {slope - error, slope + error};
+        return (-bend * off + slope)
+            .with_rest(slope_error + bend_error * far + 0.5 * std::abs(slope) * far * far +
+                       std::abs(bend) * far * far * far * (1.0 / 6.0));
     }
 };
 

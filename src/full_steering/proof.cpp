@@ -470,17 +470,14 @@ struct Doing {
     Sign sign = Sign::unknown;
     Sign going = Sign::unknown;
     Form value;
-    double slope = 0.0;  ///< d g / d heading, and how it changes with the heading, in the middle
-    double bend = 0.0;
+    Form pace;  ///< d g / d heading
     Doing() = default;
     Doing(const Condition& of, const State& state, const HeadingForm& at) {
         const Gap gap = gap_of(of, state, at.c, at.s);
         value = gap.at(at.off);
         sign = sign_of(value);
-        const Gap::Slopes slopes = gap.slopes(at.off);
-        slope = gap.slope;
-        bend = gap.bend;
-        going = slopes.greatest < 0.0 ? Sign::positive : slopes.least > 0.0 ? Sign::negative : Sign::unknown;
+        pace = gap.pace(at.off);
+        going = sign_of(-pace);
     }
 };
 
@@ -590,7 +587,7 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
         return all;
     }
     // It cannot be told at the beginning.
-    if (first.going == Sign::unknown) return fail(Failure::at_root, known ? -first.bend * from.off + first.slope : first.value);
+    if (first.going == Sign::unknown) return fail(Failure::at_root, known ? first.pace : first.value);
     if (first.going == Sign::positive) {
         if (!begins(spell)) return fail(Failure::at_root, first.value);
         spell.to_end = true;
@@ -690,7 +687,9 @@ public:
         Meeting met = from_stage(stage, turns);
         if (met.what == Meeting::undecided) return met;
         const double begin = obstacle_.stages[stage].angle - turns;
-        if (start.angle + within >= begin) {
+        // An entry heading is at most a quarter turn.
+        const bool steepest = state_.first && begin > quarter_turn - 1e-15;
+        if (start.angle + within >= begin && !steepest) {
             const bool wraps = stage == 0;
             const std::size_t before = wraps ? obstacle_.stages.size() - 1 : stage - 1;
             met = either(met, from_stage(before, wraps ? turns - 2.0 * pi : turns));
