@@ -311,6 +311,11 @@ struct State {
 struct Failure {
     enum Kind : unsigned char { halve, at_root, beside_graze } kind = halve;
     Form quantity;
+    /// The lowest corner grazes the curb, in this stage: it meets it in `at`, or (unless `surely`) passes.
+    bool grazes = false;
+    bool surely = false;
+    std::size_t stage = 0;
+    HeadingForm at;
 };
 
 Gap gap_of(const Condition& of, const State& state, double c, double s) {
@@ -489,6 +494,23 @@ bool fails_throughout(const Doing& from, const Doing& to, bool known_not_to_hold
     return to.sign == Sign::negative && (falls || to.going == Sign::positive);  // no greatest value in between
 }
 
+/// Where a corner that only just sinks below the curb meets it: at most an angle a before it is lowest, where
+/// radius (1 - cos a) is how far it sinks.
+bool grazing(const Condition& of, const Form& sinks, double reference, Failure& failure) {
+    const double radius = std::sqrt(of.x * of.x + of.y * of.y);
+    const double part = (sinks.mid + sinks.span()) / (radius - of.error) * (1.0 + 1e-12);
+    if (of.kind != Condition::below || !(part > 0.0 && part < 1e-3)) return false;
+    HeadingForm& at = failure.at;
+    at.c = -of.y / radius;
+    at.s = -of.x / radius;
+    if (!make_unit(at.c, at.s)) return false;
+    at.angle = near_angle(at.c, at.s, reference);
+    const double half = 0.5 * std::sqrt(2.0 * part) * (1.0 + part) * (1.0 + 1e-12);
+    at.off = {half, 0.0, 0.0, 0.0, half + 1e-15 + of.error / radius};
+    failure.surely = sinks.positive();
+    return true;
+}
+
 /// When a condition holds between two headings at most a quarter turn apart. `known`: it does not hold at the first one;
 /// `exact`: it is exactly zero there.
 Spells spells_of(const Condition& of, const State& state, const HeadingForm& from, const HeadingForm& to,
@@ -497,15 +519,17 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
     const double reference = from.angle;
     const auto fail = [&](Failure::Kind kind, const Form& quantity) {
         all.told = false;
-        all.failure = {kind, quantity};
+        all.failure.kind = kind;
+        all.failure.quantity = quantity;
         return all;
     };
     const auto begins = [&](Spell& spell) { return root_of(of, state, true, reference, spell.begin); };
     const auto ends = [&](Spell& spell) { return root_of(of, state, false, reference, spell.end); };
     const auto graze = [&](bool greatest) {
         const Form extreme = extreme_of(of, state, greatest);
-        return fail(sign_of(extreme) == Sign::unknown ? Failure::at_root : Failure::beside_graze,
-                    greatest ? extreme : -extreme);
+        fail(sign_of(extreme) == Sign::unknown ? Failure::at_root : Failure::beside_graze, greatest ? extreme : -extreme);
+        if (greatest && last.sign == Sign::negative) all.failure.grazes = grazing(of, extreme, reference, all.failure);
+        return all;
     };
     Sign at_first = first.sign;
     if (known && first.going == Sign::negative) at_first = Sign::negative;
@@ -640,6 +664,13 @@ Meeting undecided(const Failure& failure) {
     return meeting;
 }
 
+Failure at_root_of(const Form& quantity) {
+    Failure failure;
+    failure.kind = Failure::at_root;
+    failure.quantity = quantity;
+    return failure;
+}
+
 /// In the frame of x: y as x's heading turned by some Form.
 Form off_from(const HeadingForm& x, const HeadingForm& y) {
     return (y.off + (y.angle - x.angle)).with_rest(2.0 * angle_error);
@@ -673,8 +704,14 @@ struct Space {
 class Sweep {
 public:
     Sweep(const Obstacle& obstacle, Met met, const State& state, const HeadingForm& until, bool until_contact,
-          Space& space)
-        : obstacle_(obstacle), met_(met), state_(state), until_(until), until_contact_(until_contact), space_(space) {}
+          Space& space, const Failure* passes = nullptr)
+        : obstacle_(obstacle),
+          met_(met),
+          state_(state),
+          until_(until),
+          until_contact_(until_contact),
+          space_(space),
+          passes_(passes) {}
 
     [[nodiscard]] bool doubtful() const { return doubtful_; }
 
@@ -720,7 +757,7 @@ private:
     [[nodiscard]] Meeting from_stage(std::size_t stage, double turns) const {
         if (met_ == goal) return drive(stage, turns, -1, false);
         const Touched& touched = state_.touched[met_];
-        if (obstacle_.one_condition && !state_.first) return drive(stage, turns, 0, touched.exact);
+        if (obstacle_.one_condition && !state_.first) return drive(stage, turns, 0, touched.exact && touched.count == 1 && touched.at[0].stage == stage);
         if (state_.first) {
             const int known = met_ == front ? obstacle_.stages[stage].entry_condition : -1;
             return drive(stage, turns, known, known >= 0);
@@ -754,7 +791,7 @@ private:
                 last = true;
             }
             int failing = -1;
-            if (here.possible) {
+            if (here.possible && !(passes_ && stage == passes_->stage)) {
                 const Meeting met = in_stage(here, stage, from, to, known, exact, last && met_ != goal && !until_contact_, failing);
                 switch (met.what) {
                     case Meeting::undecided:
@@ -884,7 +921,10 @@ private:
                 for (std::size_t k = 0; k < count; ++k) {
                     if (spells[k].told && spells[k].count == 0) return {};
                 }
-                return undecided(spells[i].failure);
+                Meeting met = undecided(spells[i].failure);
+                met.failure.stage = index;
+                met.failure.grazes = met.failure.grazes && obstacle_.one_condition;
+                return met;
             }
         }
         for (;;) {
@@ -920,7 +960,7 @@ private:
                 for (std::size_t i = 0; i < count; ++i) {
                     const Spell& spell = spells[i].spell[static_cast<std::size_t>(at[i])];
                     if (!spell.to_end && !spells[i].holds_at_start)
-                        return undecided({Failure::at_root, first[i].value});
+                        return undecided(at_root_of(first[i].value));
                 }
             } else {
                 const Form before = off_from(met.at, from);
@@ -937,13 +977,13 @@ private:
                 if (spell.to_end) continue;
                 const Form left = difference(met.at, spell.end);
                 if (left.positive()) continue;
-                if (!left.negative()) return undecided({Failure::at_root, left});
+                if (!left.negative()) return undecided(at_root_of(left));
                 ++at[i];
                 advanced = true;
             }
             if (advanced) continue;
             met.touched.exact = met.touched.count == 1;
-            if (late) met.failure = {Failure::at_root, late_by};
+            if (late) met.failure.kind = Failure::at_root, met.failure.quantity = late_by;
             return met;
         }
     }
@@ -954,6 +994,7 @@ private:
     const HeadingForm& until_;
     bool until_contact_;
     Space& space_;
+    const Failure* passes_;  ///< a graze that is taken to pass
     mutable bool doubtful_ = false;  ///< nothing overlaps at the entry position, if that is one
 };
 
@@ -1260,88 +1301,129 @@ private:
 
     Outcome look(const Box& box) {
         ++found_.boxes;
-        State state = enter(box);
-        Outcome outcome;
-        bool doubtful = false;  // it may be no entry position
-        for (int n = 0; n <= limit_; ++n) {
-            ++found_.moves;
+        forks_ = 0;
+        doubtful_ = false;
+        return follow(enter(box), 0);
+    }
+
+    Outcome follow(State state, int n) {
+        for (; n <= limit_; ++n) {
+            Outcome outcome;
             outcome.move = n;
-            const Steering& steering = state.backward ? backward_ : forward_;
-            // The first contact: what a double meets first is asked first.
-            std::array<std::pair<double, Met>, 3> order;
-            double best = -infinity;
-            for (const Met met : {front, rear, curb}) {
-                order[met] = {guess(steering.of[met], state, best), met};
-                best = std::max(best, order[met].first);
+            switch (drive(state, outcome, nullptr, false)) {
+                case moved: break;
+                case ended: return outcome;
+                case grazed: return both_ways(state, outcome);
             }
-            std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-            HeadingForm until = state.start;
-            until.angle -= 2.0 * pi;
-            Meeting contact;
-            std::array<Touched, 3> touched;
-            for (const auto& [angle, met] : order) {
-                const Sweep sweep(steering.of[met], met, state, until, contact.what == Meeting::contact, space_);
-                const Meeting meeting = sweep.meets();
-                doubtful = doubtful || sweep.doubtful();
-                if (meeting.what == Meeting::never) continue;
-                if (meeting.what == Meeting::stuck) {
-                    contact = meeting;
-                    break;
-                }
-                if (meeting.what == Meeting::undecided) {
-                    outcome.what = Outcome::undecided;
-                    outcome.failure = meeting.failure;
-                    return outcome;
-                }
-                if (contact.what == Meeting::contact) {
-                    const Form other = off_from(until, meeting.at);
-                    const Form apart = until.off - other;
-                    if (apart.positive()) continue;
-                    if (apart.negative()) {
-                        touched = {};
-                        touched[met] = meeting.touched;
-                        until = meeting.at;
-                    } else {
-                        until.off = larger(until.off, other);
-                        for (Touched& one : touched) one.exact = false;
-                        touched[met] = meeting.touched;
-                        touched[met].exact = false;
-                    }
-                } else {
-                    contact = meeting;
-                    until = meeting.at;
-                    touched[met] = meeting.touched;
-                }
-            }
-            if (contact.what == Meeting::stuck) return outcome;  // no entry, or stuck for good
-            const Meeting parked = Sweep(steering.of[goal], goal, state, until, false, space_).meets();
-            if (parked.what == Meeting::undecided) {
-                outcome.what = Outcome::undecided;
-                outcome.failure = parked.failure;
-                return outcome;
-            }
-            bool parks = parked.what == Meeting::contact;
-            if (parks) {  // unless what stops the car comes first
-                const Form before = difference(parked.at, until);
-                parks = !before.negative();
-                if (parks && !before.positive()) {
-                    outcome.what = Outcome::undecided;
-                    outcome.failure = {Failure::at_root, before};
-                    return outcome;
-                }
-            }
-            if (parks) {
-                outcome.what = doubtful ? Outcome::undecided : Outcome::parks;
-                outcome.failure = {};
-                return outcome;
-            }
-            if (contact.what == Meeting::never) return outcome;  // circles freely
-            if ((until.off + (until.angle + steepest_)).with_rest(angle_error).negative())
-                return outcome;  // turned away
-            turn_over(state, until, steering.across);
-            state.touched = touched;
         }
-        return outcome;
+        return {Outcome::none, limit_, {}};
+    }
+
+    /// Where it cannot be told whether the lowest corner grazes the curb: first as if it passed, then as if it met it. If
+    /// both come to the same, it does not matter.
+    Outcome both_ways(const State& state, const Outcome& fork) {
+        if (++forks_ > most_forks) return fork;
+        Outcome common;
+        for (const bool meets : {false, true}) {
+            if (!meets && fork.failure.surely) continue;
+            State way = state;
+            Outcome outcome;
+            outcome.move = fork.move;
+            const After after = drive(way, outcome, &fork.failure, meets);
+            if (after == grazed) return fork;
+            if (after == moved) outcome = follow(way, fork.move + 1);
+            if (outcome.what == Outcome::undecided) return fork;
+            if (!meets || fork.failure.surely) {
+                common = outcome;
+            } else if (outcome.what != common.what || (outcome.what == Outcome::parks && outcome.move != common.move)) {
+                return fork;
+            }
+        }
+        return common;
+    }
+
+    enum After { moved, ended, grazed };
+
+    /// One move. `graze`: one that is taken to meet the curb, or to pass.
+    After drive(State& state, Outcome& outcome, const Failure* graze, bool meets) {
+        ++found_.moves;
+        const Steering& steering = state.backward ? backward_ : forward_;
+        // What a double meets first is asked first.
+        std::array<std::pair<double, Met>, 3> order;
+        double best = -infinity;
+        for (const Met met : {front, rear, curb}) {
+            order[met] = {guess(steering.of[met], state, best), met};
+            best = std::max(best, order[met].first);
+        }
+        std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+        HeadingForm until = state.start;
+        until.angle -= 2.0 * pi;
+        bool contact = false;
+        std::array<Touched, 3> touched;
+        for (const auto& [angle, met] : order) {
+            Meeting meeting;
+            if (graze != nullptr && meets && met == curb) {
+                meeting.what = Meeting::contact;
+                meeting.at = graze->at;
+                meeting.touched.add(graze->stage, 0);
+                meeting.touched.exact = true;
+            } else {
+                const Sweep sweep(steering.of[met], met, state, until, contact, space_, met == curb ? graze : nullptr);
+                meeting = sweep.meets();
+                doubtful_ = doubtful_ || sweep.doubtful();
+            }
+            if (meeting.what == Meeting::never) continue;
+            if (meeting.what == Meeting::stuck) return ended;  // no entry, or stuck for good
+            if (meeting.what == Meeting::undecided) {
+                outcome.what = Outcome::undecided;
+                outcome.failure = meeting.failure;
+                return met == curb && meeting.failure.grazes ? grazed : ended;
+            }
+            if (!contact) {
+                contact = true;
+                until = meeting.at;
+                touched[met] = meeting.touched;
+                continue;
+            }
+            const Form other = off_from(until, meeting.at);
+            const Form apart = until.off - other;
+            if (apart.positive()) continue;
+            if (apart.negative()) {
+                touched = {};
+                touched[met] = meeting.touched;
+                until = meeting.at;
+            } else {
+                until.off = larger(until.off, other);
+                for (Touched& one : touched) one.exact = false;
+                touched[met] = meeting.touched;
+                touched[met].exact = false;
+            }
+        }
+        const Meeting parked = Sweep(steering.of[goal], goal, state, until, false, space_).meets();
+        if (parked.what == Meeting::undecided) {
+            outcome.what = Outcome::undecided;
+            outcome.failure = parked.failure;
+            return ended;
+        }
+        if (parked.what == Meeting::contact) {  // unless what stops the car comes first
+            const Form before = difference(parked.at, until);
+            if (before.positive()) {
+                outcome.what = doubtful_ ? Outcome::undecided : Outcome::parks;
+                return ended;
+            }
+            if (!before.negative()) {
+                outcome.what = Outcome::undecided;
+                outcome.failure = {};
+                outcome.failure.kind = Failure::at_root;
+                outcome.failure.quantity = before;
+                return ended;
+            }
+        }
+        if (!contact) return ended;  // circles freely
+        if ((until.off + (until.angle + steepest_)).with_rest(angle_error).negative()) return ended;  // turned away
+        turn_over(state, until, steering.across);
+        state.touched = touched;
+        return moved;
     }
 
     const ProofProblem& problem_;
@@ -1354,6 +1436,9 @@ private:
     const ProofHints& hints_;
     const Progress& progress_;
     std::size_t most_moves_;
+    static constexpr int most_forks = 8;  ///< in a box
+    int forks_ = 0;
+    bool doubtful_ = false;  ///< the box may be no entry position
     Space space_;
     ProvedRanges found_;
 };
