@@ -1152,7 +1152,7 @@ private:
                     note_range(box, outcome.move);
                     break;
                 case Outcome::undecided:
-                    if (box.max - box.min <= narrowest) {
+                    if (box.max - box.min <= narrowest || hopeless(box, outcome.failure.quantity)) {
                         note_undecided(box, outcome.move);
                     } else {
                         cut(boxes, box, outcome.failure);
@@ -1160,6 +1160,11 @@ private:
                     break;
             }
         }
+    }
+
+    /// Narrow, and what could not be told depends on rounding more than on the heading: no cut would help.
+    static bool hopeless(const Box& box, const Form& quantity) {
+        return box.max - box.min < 4e-12 && std::abs(quantity.along) < 0.1 * quantity.noise();
     }
 
     void note_range(const Box& box, int changes) {
