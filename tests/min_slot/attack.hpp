@@ -22,7 +22,8 @@ struct MinSlotCase {
 
     double given() const { return length_sought ? asked.slot.width : asked.slot.length; }
     double least() const {
-        return length_sought ? asked.car_length() + 2 * asked.clearance : asked.car.width + asked.clearance;
+        return length_sought ? asked.car_length() + 2 * asked.driving.clearance
+                             : asked.car.width + asked.driving.clearance;
     }
     Case in_slot_of(double size) const {
         Case sized = asked;
@@ -31,8 +32,7 @@ struct MinSlotCase {
     }
     template <class Real>
     Problem<Real> problem(double size) const {
-        const Case sized = in_slot_of(size);
-        return make_problem<Real>(sized.car, sized.slot.length, sized.slot.width, sized.clearance, sized.enter);
+        return make_problem<Real>(in_slot_of(size));
     }
     std::string line(double size) const {
         std::ostringstream text;
@@ -52,24 +52,22 @@ inline MinSlotCase random_min_slot_case(std::uint64_t seed, std::uint64_t index,
     MinSlotCase chosen;
     do choose_car(random, chosen.asked);
     while (cars == Cars::of_the_paper && chosen.asked.car_name.empty());
-    if (random.chance(0.1)) chosen.asked.enter = snug::Enter::forward;
-    if (random.chance(0.1)) chosen.asked.clearance = random.between(0.005, 0.1);
+    if (random.chance(0.1)) chosen.asked.driving.enter = snug::Enter::forward;
+    if (random.chance(0.1)) chosen.asked.driving.clearance = random.between(0.005, 0.1);
     chosen.length_sought = random.chance(0.7);
-    const double room = chosen.asked.enter == snug::Enter::forward ? 1.5 : 0.65;
-    chosen.asked.slot.width = chosen.asked.car.width + chosen.asked.clearance + random.between(0.05, room);
-    chosen.asked.slot.length = chosen.asked.car_length() + 2 * chosen.asked.clearance + random.between(0.4, 2.0);
+    const double room = chosen.asked.driving.enter == snug::Enter::forward ? 1.5 : 0.65;
+    chosen.asked.slot.width = chosen.asked.car.width + chosen.asked.driving.clearance + random.between(0.05, room);
+    chosen.asked.slot.length =
+        chosen.asked.car_length() + 2 * chosen.asked.driving.clearance + random.between(0.4, 2.0);
     chosen.max_changes = random.chance(0.8) ? random.below(13) : random.below(60);
     return chosen;
 }
 
 /// Does the heading park in a slot of this size, beyond what rounding could do?
 inline bool parks(const MinSlotCase& asked, double size, double heading) {
-    const Run<long double> exact =
-        run(asked.problem<long double>(size), static_cast<long double>(heading), asked.max_changes, true);
-    if (!exact.parked()) return false;
-    for (const Leg<long double>& leg : exact.legs)
-        if (std::abs(leg.drive.least_top) < 1e-12L) return false;
-    return exact.graze >= 1e-12L;
+    const Decided exact =
+        decide(asked.problem<long double>(size), static_cast<long double>(heading), asked.max_changes);
+    return exact.certain && exact.count >= 0;
 }
 
 /// A heading that parks, searched for at `step` over all of them, then a hundred and ten thousand times finer where the
@@ -82,9 +80,9 @@ inline std::optional<double> parking_heading(const MinSlotCase& asked, double si
     Run<double> result;
     std::optional<double> found;
     const auto look = [&](double heading) {
-        run(problem, heading, asked.max_changes, result);
+        run(problem, heading, asked.max_changes, result, Look::at_depths_too);
         if (result.parked() && !found && parks(asked, size, heading)) found = heading;
-        return Sample{heading, result.least_top};
+        return Sample{heading, result.least()};
     };
     std::vector<Sample> lowest;
     const auto scan = [&](double from, double to, double by) {

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <thread>
 
-#include "judge.hpp"
+#include "oracle/judge.hpp"
 #include "sample.hpp"
 
 namespace oracle {
