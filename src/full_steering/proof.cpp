@@ -61,6 +61,7 @@ struct Obstacle {
     std::vector<Stage> stages;  ///< falling; after the last comes the first, a turn later
     std::vector<Condition> conditions;
     bool one_condition = false;
+    bool tilted = false;  ///< parked up to some heading only: a car that has gone round is not
 
     [[nodiscard]] std::size_t next(std::size_t stage) const { return stage + 1 == stages.size() ? 0 : stage + 1; }
 };
@@ -244,9 +245,11 @@ private:
         if (problem_.parked_curb < infinity) add_stages(made.stages, frame, {down});
         if (problem_.front_setback > 0.0) add_stages(made.stages, frame, {right});
         if (problem_.rear_setback > 0.0) add_stages(made.stages, frame, {left});
-        const bool tilted = problem_.parked_heading < pi;
+        const bool tilted = problem_.parked_heading < infinity;
+        made.tilted = tilted;
+        const double most = std::min(problem_.parked_heading, pi);
         if (tilted) {
-            const auto [s, c] = angles::sine_cosine(problem_.parked_heading);
+            const auto [s, c] = angles::sine_cosine(most);
             add(made.stages, c, s);
             add(made.stages, c, -s);
         }
@@ -527,7 +530,8 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
     const auto ends = [&](Spell& spell) { return root_of(of, state, false, reference, spell.end); };
     const auto graze = [&](bool greatest) {
         const Form extreme = extreme_of(of, state, greatest);
-        fail(sign_of(extreme) == Sign::unknown ? Failure::at_root : Failure::beside_graze, greatest ? extreme : -extreme);
+        fail(sign_of(extreme) == Sign::unknown ? Failure::at_root : Failure::beside_graze,
+             greatest ? extreme : -extreme);
         if (greatest && last.sign == Sign::negative) all.failure.grazes = grazing(of, extreme, reference, all.failure);
         return all;
     };
@@ -757,7 +761,8 @@ private:
     [[nodiscard]] Meeting from_stage(std::size_t stage, double turns) const {
         if (met_ == goal) return drive(stage, turns, -1, false);
         const Touched& touched = state_.touched[met_];
-        if (obstacle_.one_condition && !state_.first) return drive(stage, turns, 0, touched.exact && touched.count == 1 && touched.at[0].stage == stage);
+        if (obstacle_.one_condition && !state_.first)
+            return drive(stage, turns, 0, touched.exact && touched.count == 1 && touched.at[0].stage == stage);
         if (state_.first) {
             const int known = met_ == front ? obstacle_.stages[stage].entry_condition : -1;
             return drive(stage, turns, known, known >= 0);
@@ -776,6 +781,10 @@ private:
     }
 
     [[nodiscard]] Meeting drive(std::size_t stage, double turns, int known, bool exact) const {
+        const auto possible = [this](const Stage& here, double turned) {
+            return here.possible && !(passes_ && &here == &obstacle_.stages[passes_->stage]) &&
+                   (met_ != goal || turned == 0.0 || !obstacle_.tilted);
+        };
         HeadingForm from = state_.start;
         Meeting pending;  // a contact that may lie beyond its stage
         bool last = false;
@@ -791,8 +800,9 @@ private:
                 last = true;
             }
             int failing = -1;
-            if (here.possible && !(passes_ && stage == passes_->stage)) {
-                const Meeting met = in_stage(here, stage, from, to, known, exact, last && met_ != goal && !until_contact_, failing);
+            if (possible(here, turns)) {
+                const Meeting met =
+                    in_stage(here, stage, from, to, known, exact, last && met_ != goal && !until_contact_, failing);
                 switch (met.what) {
                     case Meeting::undecided:
                     case Meeting::stuck: return met;
@@ -959,8 +969,7 @@ private:
                 met.at = from;  // all hold at the start, for as long as that lasts
                 for (std::size_t i = 0; i < count; ++i) {
                     const Spell& spell = spells[i].spell[static_cast<std::size_t>(at[i])];
-                    if (!spell.to_end && !spells[i].holds_at_start)
-                        return undecided(at_root_of(first[i].value));
+                    if (!spell.to_end && !spells[i].holds_at_start) return undecided(at_root_of(first[i].value));
                 }
             } else {
                 const Form before = off_from(met.at, from);
@@ -994,7 +1003,7 @@ private:
     const HeadingForm& until_;
     bool until_contact_;
     Space& space_;
-    const Failure* passes_;  ///< a graze that is taken to pass
+    const Failure* passes_;          ///< a graze that is taken to pass
     mutable bool doubtful_ = false;  ///< nothing overlaps at the entry position, if that is one
 };
 
@@ -1424,7 +1433,7 @@ private:
                 return ended;
             }
         }
-        if (!contact) return ended;  // circles freely
+        if (!contact) return ended;                                                                   // circles freely
         if ((until.off + (until.angle + steepest_)).with_rest(angle_error).negative()) return ended;  // turned away
         turn_over(state, until, steering.across);
         state.touched = touched;
@@ -1455,19 +1464,32 @@ ProvedRanges prove_ranges(const ProofProblem& problem, int max_changes, Find fin
     return Prover(problem, max_changes, find, hints, progress, most_moves).run();
 }
 
-ProofProblem proof_problem(const Problem& problem) {
-    const auto rectangle = [](const Extents& of) {
-        return std::vector<Point>{
-            {of.front, of.left}, {-of.rear, of.left}, {-of.rear, -of.right}, {of.front, -of.right}};
+ProofProblem proof_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked) {
+    const bool nose_first = driving.enter == Enter::forward;
+    const auto entering = [&](const Outline& outline) {
+        const Outline on_the_right = slot.side() == Side::left ? outline.mirrored() : outline;
+        return nose_first ? on_the_right.turned_about() : on_the_right;
     };
+    const SlotDimensions& dimensions = slot.dimensions();
     ProofProblem made;
-    made.body = rectangle(problem.touching);
-    made.at_curb = made.body;
-    made.frame = rectangle(problem.parked);
-    made.entry_corner = 3;
-    made.radius = problem.radius;
-    made.length = problem.length;
-    made.width = problem.width;
+    made.frame = entering(car.outline()).corners();
+    made.body = entering(car.outline()).grown(driving.clearance).corners();
+    const Outline& meets_curb = dimensions.curb == Curb::low ? car.wheels() : car.outline();
+    made.at_curb = entering(meets_curb).grown(driving.at_curb()).corners();
+    made.radius = car.turning_radius();
+    made.length = dimensions.length;
+    made.width = dimensions.width;
+    made.front_setback = nose_first ? dimensions.rear_setback : dimensions.front_setback;
+    made.rear_setback = nose_first ? dimensions.front_setback : dimensions.rear_setback;
+    made.parked_heading = parked.heading;
+    made.parked_curb = parked.curb;
+    // Of the corners ahead of the rear axle the one farthest from the first move's centre.
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < made.body.size(); ++i) {
+        const Point& corner = made.body[i];
+        const double distance = angles::hypot(corner.x, corner.y - made.radius);
+        if (corner.x > 0.0 && distance > farthest) farthest = distance, made.entry_corner = i;
+    }
     return made;
 }
 

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "full_steering/heading_ranges.hpp"
+#include "snug/car.hpp"
+#include "snug/driving.hpp"
 #include "snug/geometry.hpp"
+#include "snug/slot.hpp"
 
 namespace snug::detail {
 
@@ -54,7 +57,7 @@ struct ProofHints {
 ProvedRanges prove_ranges(const ProofProblem& problem, int max_changes, Find find, const ProofHints& hints = {},
                           const Progress& progress = {}, std::size_t most_moves = 20'000'000);
 
-/// The rectangle in the plain slot.
-ProofProblem proof_problem(const Problem& problem);
+/// In the entering frame (contact/entering.hpp).
+ProofProblem proof_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked);
 
 }  // namespace snug::detail
