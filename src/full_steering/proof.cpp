@@ -497,6 +497,29 @@ bool fails_throughout(const Doing& from, const Doing& to, bool known_not_to_hold
     return to.sign == Sign::negative && (falls || to.going == Sign::positive);  // no greatest value in between
 }
 
+/// Where a condition that is exactly zero and falls is zero again: as far behind the heading at which it is least as the
+/// start is before it.
+bool comes_back(const Condition& of, const State& state, const HeadingForm& start, HeadingForm& found) {
+    const Crossing crossing(of, state);
+    const double radius = std::sqrt(crossing.a * crossing.a + crossing.b * crossing.b);
+    double c = -crossing.a / radius;
+    double s = -crossing.b / radius;
+    if (!(radius > 0.0) || !make_unit(c, s)) return false;
+    const Gap gap = gap_of(of, state, c, s);
+    const double bend = std::abs(gap.bend) - gap.bend_error;
+    const double error = (std::abs(gap.slope) + gap.slope_error) / bend * (1.0 + 1e-12);  // tan of its error
+    if (!(bend > 0.0 && error < 0.1)) return false;
+    const double twice_c = (c - s) * (c + s);
+    const double twice_s = 2.0 * c * s;
+    found.c = twice_c * start.c + twice_s * start.s;
+    found.s = twice_s * start.c - twice_c * start.s;
+    if (!make_unit(found.c, found.s)) return false;
+    found.angle = near_angle(found.c, found.s, start.angle);
+    if (!(std::abs(found.angle - start.angle) < quarter_turn)) return false;
+    found.off = (-start.off).with_rest(2.0 * error + 32.0 * unit);
+    return true;
+}
+
 /// Where a corner that only just sinks below the curb meets it: at most an angle a before it is lowest, where
 /// radius (1 - cos a) is how far it sinks.
 bool grazing(const Condition& of, const Form& sinks, double reference, Failure& failure) {
@@ -558,7 +581,9 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
             all.spell[0] = spell;
             return all;
         }
-        if (!begins(spell)) return graze(true);
+        // What touches and parts slowly comes back soon.
+        if (!begins(spell) && !(exact && touching && comes_back(of, state, from, spell.begin)))
+            return touching ? fail(Failure::beside_graze, first.pace) : graze(true);
         spell.to_end = true;
         if (last.sign == Sign::unknown) {
             if (last.going == Sign::unknown) return graze(true);
