@@ -539,15 +539,17 @@ bool grazing(const Condition& of, const Form& sinks, double reference, Failure& 
 
 /// When a condition holds between two headings at most a quarter turn apart. `known`: it does not hold at the first one;
 /// `exact`: it is exactly zero there.
-Spells spells_of(const Condition& of, const State& state, const HeadingForm& from, const HeadingForm& to,
-                 const Doing& first, const Doing& last, bool known, bool exact) {
-    Spells all;
+void spells_of(Spells& all, const Condition& of, const State& state, const HeadingForm& from, const HeadingForm& to,
+               const Doing& first, const Doing& last, bool known, bool exact) {
+    all.count = 0;
+    all.told = true;
+    all.zero_and_begins = false;
+    all.failure.grazes = false;
     const double reference = from.angle;
     const auto fail = [&](Failure::Kind kind, const Form& quantity) {
         all.told = false;
         all.failure.kind = kind;
         all.failure.quantity = quantity;
-        return all;
     };
     const auto begins = [&](Spell& spell) { return root_of(of, state, true, reference, spell.begin); };
     const auto ends = [&](Spell& spell) { return root_of(of, state, false, reference, spell.end); };
@@ -556,7 +558,6 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
         fail(sign_of(extreme) == Sign::unknown ? Failure::at_root : Failure::beside_graze,
              greatest ? extreme : -extreme);
         if (greatest && last.sign == Sign::negative) all.failure.grazes = grazing(of, extreme, reference, all.failure);
-        return all;
     };
     Sign at_first = first.sign;
     if (known && first.going == Sign::negative) at_first = Sign::negative;
@@ -570,16 +571,16 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
     if (at_first == Sign::negative) {
         const bool touching = first.sign != Sign::negative;  // its end was just now: only the next beginning counts
         if (last.sign == Sign::negative) {
-            if (first.going == Sign::negative || last.going == Sign::positive) return all;
+            if (first.going == Sign::negative || last.going == Sign::positive) return;
             const Form peak = extreme_of(of, state, true);
-            if (peak.negative()) return all;
+            if (peak.negative()) return;
             if (touching || !peak.positive()) return graze(true);
             if (!begins(spell) || !ends(spell)) return graze(true);
             // Both roots lie before the end only if the peak does; the signs at the ends leave both or neither.
-            if (difference(spell.begin, from).positive() || difference(to, spell.begin).positive()) return all;
+            if (difference(spell.begin, from).positive() || difference(to, spell.begin).positive()) return;
             all.count = 1;
             all.spell[0] = spell;
-            return all;
+            return;
         }
         // What touches and parts slowly comes back soon.
         if (!begins(spell) && !(exact && touching && comes_back(of, state, from, spell.begin)))
@@ -598,7 +599,7 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
         }
         all.count = 1;
         all.spell[0] = spell;
-        return all;
+        return;
     }
     if (at_first == Sign::positive) {
         spell.from_start = true;
@@ -619,12 +620,12 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
                     all.spell[1] = again;
                     all.count = 2;
                     all.spell[0] = spell;
-                    return all;
+                    return;
                 }
             }
             all.count = 1;
             all.spell[0] = spell;
-            return all;
+            return;
         }
         if (last.sign == Sign::unknown && last.going == Sign::unknown) return graze(false);
         spell.to_end = false;
@@ -637,7 +638,7 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
             all.spell[1] = again;
             all.count = 2;
         }
-        return all;
+        return;
     }
     // It cannot be told at the beginning.
     if (first.going == Sign::unknown) return fail(Failure::at_root, known ? first.pace : first.value);
@@ -657,7 +658,7 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
         }
         all.count = 1;
         all.spell[0] = spell;
-        return all;
+        return;
     }
     spell.from_start = true;
     if (!ends(spell)) return fail(Failure::at_root, first.value);
@@ -667,7 +668,7 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
         Spell again;
         again.to_end = true;
         if (last.sign == Sign::unknown) {
-            if (last.going == Sign::negative) return all;  // the same end
+            if (last.going == Sign::negative) return;  // the same end
             if (last.going == Sign::unknown) return graze(false);
             again.begins_late = true;
         }
@@ -675,7 +676,7 @@ Spells spells_of(const Condition& of, const State& state, const HeadingForm& fro
         all.spell[1] = again;
         all.count = 2;
     }
-    return all;
+    return;
 }
 
 /// What comes of an obstacle in a move.
@@ -826,8 +827,11 @@ private:
             }
             int failing = -1;
             if (possible(here, turns)) {
+                failing = failing_in(here, from, to, known);
+            }
+            if (failing < 0 && possible(here, turns)) {
                 const Meeting met =
-                    in_stage(here, stage, from, to, known, exact, last && met_ != goal && !until_contact_, failing);
+                    in_stage(here, stage, from, to, known, exact, last && met_ != goal && !until_contact_);
                 switch (met.what) {
                     case Meeting::undecided:
                     case Meeting::stuck: return met;
@@ -875,6 +879,35 @@ private:
         return found(met_ == front ? Condition::below : Condition::left_of);
     }
 
+    /// Quick: a condition of the stage that fails all the time, -1 if there is none. What all of them do at the beginning,
+    /// and those at the end that were asked for, stay in the space. `known` may become known.
+    [[nodiscard]] int failing_in(const Stage& stage, const HeadingForm& from, const HeadingForm& to, int& known) const {
+        const std::size_t count = stage.last - stage.first;
+        Doing* const first = space_.first.data();
+        Doing* const last = space_.last.data();
+        std::size_t unknown = 0;
+        std::size_t holding = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Condition& condition = obstacle_.conditions[stage.first + i];
+            first[i] = Doing(condition, state_, from);
+            if (first[i].sign == Sign::positive) ++holding;
+            if (first[i].sign == Sign::unknown) unknown = i;
+            if (first[i].sign == Sign::negative || static_cast<int>(i) == known) {
+                last[i] = Doing(condition, state_, to);
+                if (fails_throughout(first[i], last[i], static_cast<int>(i) == known)) return static_cast<int>(i);
+            }
+        }
+        // Nothing overlaps when a move begins: where all others hold, the one that cannot be told does not.
+        const bool at_start = from.angle == state_.start.angle;
+        if (known < 0 && met_ != goal && at_start && holding + 1 == count && first[unknown].sign == Sign::unknown) {
+            known = static_cast<int>(unknown);
+            doubtful_ = state_.first;
+            last[unknown] = Doing(obstacle_.conditions[stage.first + unknown], state_, to);
+            if (fails_throughout(first[unknown], last[unknown], true)) return known;
+        }
+        return -1;
+    }
+
     /// Is a condition of the stage exactly zero where the move begins?
     [[nodiscard]] bool zero_at_start(const Stage& stage, std::size_t index, std::size_t i) const {
         if (state_.first) {
@@ -887,39 +920,12 @@ private:
 
     /// A contact comes back with failure.kind at_root where it may lie beyond `to`.
     [[nodiscard]] Meeting in_stage(const Stage& stage, std::size_t index, const HeadingForm& from,
-                                   const HeadingForm& to, int known, bool exact, bool closes, int& failing) const {
+                                   const HeadingForm& to, int known, bool exact, bool closes) const {
         const std::size_t count = stage.last - stage.first;
         Doing* const first = space_.first.data();
         Doing* const last = space_.last.data();
         Spells* const spells = space_.spells.data();
         int* const at = space_.at.data();
-        // Quick: some condition fails all the time.
-        std::size_t unknown = 0;
-        std::size_t holding = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const Condition& condition = obstacle_.conditions[stage.first + i];
-            first[i] = Doing(condition, state_, from);
-            if (first[i].sign == Sign::positive) ++holding;
-            if (first[i].sign == Sign::unknown) unknown = i;
-            if (first[i].sign == Sign::negative || static_cast<int>(i) == known) {
-                last[i] = Doing(condition, state_, to);
-                if (fails_throughout(first[i], last[i], static_cast<int>(i) == known)) {
-                    failing = static_cast<int>(i);
-                    return {};
-                }
-            }
-        }
-        // Nothing overlaps when a move begins: where all others hold, the one that cannot be told does not.
-        const bool at_start = from.angle == state_.start.angle;
-        if (known < 0 && met_ != goal && at_start && holding + 1 == count && first[unknown].sign == Sign::unknown) {
-            known = static_cast<int>(unknown);
-            doubtful_ = state_.first;
-            last[unknown] = Doing(obstacle_.conditions[stage.first + unknown], state_, to);
-            if (fails_throughout(first[unknown], last[unknown], true)) {
-                failing = known;
-                return {};
-            }
-        }
         bool all_hold = true;
         bool stuck = false;
         for (std::size_t i = 0; i < count; ++i) {
@@ -932,7 +938,7 @@ private:
                 if (last[i].going == Sign::positive) last[i].sign = Sign::negative;
                 if (last[i].going == Sign::negative) last[i].sign = Sign::positive;
             }
-            spells[i] = spells_of(condition, state_, from, to, first[i], last[i], is_known, is_exact);
+            spells_of(spells[i], condition, state_, from, to, first[i], last[i], is_known, is_exact);
             at[i] = 0;
             stuck = stuck || spells[i].zero_and_begins;
             all_hold = all_hold && spells[i].holds_at_start;
@@ -996,12 +1002,22 @@ private:
                     const Spell& spell = spells[i].spell[static_cast<std::size_t>(at[i])];
                     if (!spell.to_end && !spells[i].holds_at_start) return undecided(at_root_of(first[i].value));
                 }
-            } else {
+            }
+            bool at_once = !begun;
+            if (!begun) {
+                met.at = from;  // all hold at the start, for as long as that lasts
+                for (std::size_t i = 0; i < count; ++i) {
+                    const Spell& spell = spells[i].spell[static_cast<std::size_t>(at[i])];
+                    if (!spell.to_end && !spells[i].holds_at_start) return undecided(at_root_of(first[i].value));
+                }
+            }
+            if (begun) {
                 const Form before = off_from(met.at, from);
                 const Form apart = before - met.at.off;
+                at_once = !apart.positive();
                 if (apart.negative()) {
                     met.at = from;
-                } else if (!apart.positive()) {
+                } else if (at_once) {
                     met.at.off = -larger(-met.at.off, -before);
                 }
             }
@@ -1017,6 +1033,12 @@ private:
             }
             if (advanced) continue;
             met.touched.exact = met.touched.count == 1;
+            if (at_once) {  // perhaps where the move begins: nothing overlaps there, so one of those that are not sure to hold
+                met.touched = {};
+                for (std::size_t i = 0; i < count; ++i) {
+                    if (first[i].sign != Sign::positive) met.touched.add(index, i);
+                }
+            }
             if (late) met.failure.kind = Failure::at_root, met.failure.quantity = late_by;
             return met;
         }
@@ -1390,11 +1412,13 @@ private:
         // What a double meets first is asked first.
         std::array<std::pair<double, Met>, 3> order;
         double best = -infinity;
-        for (const Met met : {front, rear, curb}) {
+        const Met likely = likely_[state.backward ? 1 : 0];
+        for (const Met met : {likely, static_cast<Met>((likely + 1) % 3), static_cast<Met>((likely + 2) % 3)}) {
             order[met] = {guess(steering.of[met], state, best), met};
             best = std::max(best, order[met].first);
         }
         std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+        likely_[state.backward ? 1 : 0] = order[0].second;
         HeadingForm until = state.start;
         until.angle -= 2.0 * pi;
         bool contact = false;
@@ -1477,7 +1501,8 @@ private:
     std::size_t most_moves_;
     static constexpr int most_forks = 8;  ///< in a box
     int forks_ = 0;
-    bool doubtful_ = false;  ///< the box may be no entry position
+    std::array<Met, 2> likely_ = {front, curb};  ///< met first by the last forward and backward move
+    bool doubtful_ = false;                      ///< the box may be no entry position
     Space space_;
     ProvedRanges found_;
 };
