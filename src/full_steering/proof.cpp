@@ -12,7 +12,7 @@
 //
 // How far round. A car may turn any way in one move, up to a full circle, and parks at the first moment at which its
 // frame is inside; a circle without contact ends the run. But a car that comes to rest at a heading steeper than any at
-// which the frame fits between entry side and curb (below parallel, short of half a turn) has turned away: headings only
+// which it fits between entry side and curb (below parallel, short of half a turn) has turned away: headings only
 // fall, so it could fit again only half a turn later, the other way round, and that counts no more.
 #include "full_steering/proof.hpp"
 
@@ -1150,23 +1150,22 @@ private:
         double min, max;
     };
 
-    /// The steepest heading (downwards) at which the frame fits into the slot's width; none below a quarter turn.
+    /// The steepest heading (downwards) at which the frame is below the entry side and what meets the curb above it;
+    /// none below a quarter turn.
     static double steepest_fit(const ProofProblem& problem) {
         const auto height = [&](double heading) {
             const auto [s, c] = angles::sine_cosine(heading);
             double low = infinity, high = -infinity;
-            for (const Point& corner : problem.frame) {
-                const double y = corner.x * s + corner.y * c;
-                low = std::min(low, y);
-                high = std::max(high, y);
-            }
+            for (const Point& corner : problem.at_curb) low = std::min(low, corner.x * s + corner.y * c);
+            for (const Point& corner : problem.frame) high = std::max(high, corner.x * s + corner.y * c);
             return high - low;
         };
-        const double slack = 1e-12 * size_of(problem.frame);
+        const double size = size_of(problem.frame) + size_of(problem.at_curb);
+        const double slack = 1e-12 * size;
         double steepest = std::min(problem.parked_heading, quarter_turn);
         if (height(-steepest) <= problem.width + slack) return steepest < quarter_turn ? steepest : infinity;
-        // The height changes by less than the frame's size per radian: steps that cannot miss a fit.
-        const double speed = 4.0 * size_of(problem.frame);
+        // The height changes by less than the sizes per radian: steps that cannot miss a fit.
+        const double speed = 2.0 * size;
         while (steepest > 0.0) {
             const double over = height(-steepest) - problem.width;
             if (over <= slack) break;

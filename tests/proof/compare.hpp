@@ -91,8 +91,8 @@ private:
         const auto fits = [&](double h) {
             const Standing<double> car({0, 0, -h});
             double low = 1e9, high = -1e9;
-            for (const Vec<double>& own : fast_.car.corners)
-                low = std::min(low, car.at(own).y), high = std::max(high, car.at(own).y);
+            for (const Vec<double>& own : fast_.car.corners) high = std::max(high, car.at(own).y);
+            for (const Vec<double>& own : fast_.at_curb.corners) low = std::min(low, car.at(own).y);
             return high - low <= fast_.width;
         };
         const double most = std::min(fast_.parked_heading, quarter);
@@ -121,7 +121,14 @@ private:
             if (range.min <= heading && heading <= range.max) return range.changes;
         return -1;
     }
+    /// In a sliver, at the end of a range (the radius of the circle was rounded before the proof began), or where the first
+    /// move begins so nearly across the neighbour's side that the oracle forgives it.
     bool left_out(double heading) const {
+        for (const auto& range : proved_.ranges)
+            if (std::abs(heading - range.min) < 1e-11 || std::abs(heading - range.max) < 1e-11) return true;
+        const Vec<double> corner = touching_corner(fast_);
+        const double x = std::abs(corner.x), y = corner.y - fast_.radius;
+        if (std::abs(x * std::sin(heading) + y * std::cos(heading)) < 3e-6) return true;
         for (const auto& sliver : proved_.undecided)
             if (sliver.min - 1e-15 <= heading && heading <= sliver.max + 1e-15) return true;
         return false;
