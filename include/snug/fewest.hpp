@@ -19,6 +19,8 @@ struct FewestProgress {
     std::optional<int> direction_changes;  ///< demonstrated so far
     double spacing = 0.0;                  ///< of the finest lattice finished [m]; 0 if none is
     double part = 0.0;                     ///< of the time limit gone, 0 to 1
+
+    friend bool operator==(const FewestProgress&, const FewestProgress&) = default;
 };
 
 struct FewestOptions {
@@ -48,6 +50,8 @@ Answer fewest(const Car& car, const Slot& slot, const FewestOptions& options = {
 struct FewestLength {
     std::optional<double> length;  ///< the car parks in this [m]; empty when not even the longest slot is found to do
     double length_lower = 0.0;     ///< and in none shorter than this [m]
+
+    friend bool operator==(const FewestLength&, const FewestLength&) = default;
 };
 
 struct FewestLengthOptions {

@@ -62,6 +62,8 @@ struct Move {
     Pose start;
     Pose end;
     std::optional<Contact> contact;  ///< what ends the move; empty when the driver stops by choice
+
+    friend bool operator==(const Move&, const Move&) = default;
 };
 
 /// Pose after driving `distance` [m] (not negative) from `start` with the steering angle [rad]: an exact arc or line.
@@ -82,6 +84,8 @@ struct Maneuver {
     /// Poses along the way, at most `spacing` [m] apart, with both ends of every move.
     /// Throws Error when the spacing is less than 1e-9 m or no number.
     [[nodiscard]] std::vector<Pose> poses(double spacing) const;
+
+    friend bool operator==(const Maneuver&, const Maneuver&) = default;
 };
 
 /// The smallest box around everything the car frame covers, exactly (all zero without a move): in the world frame,

@@ -24,8 +24,10 @@ struct Problem {
     Real radius;                       // at full steering
     snug::Enter enter;
     Real parked_heading, parked_curb;  // most to be off parallel, and from the curb, when parked
-    /// Rounding: overlaps and moves smaller than this are none. [m]
+    /// Rounding: overlaps smaller than this are none. [m]
     Real forgiven = Real(sizeof(Real) > 8 ? 1e-15L : 1e-12L);
+    /// And so are moves shorter than this, as where the car sets off at a flat angle rounding is long.
+    Real no_move() const { return 1000 * forgiven; }
 
     Vec<Real> front_corner() const { return {0, -front_setback}; }
     Vec<Real> rear_corner() const { return {-length, -rear_setback}; }

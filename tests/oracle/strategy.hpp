@@ -73,7 +73,7 @@ void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>&
         Leg<Real> leg{{place, radius, direction}, 0, 0, never};
         leg.contact = first_contact(problem, leg.path, around);
         // With a clearance the car itself can be inside at a steep entry position whose first move cannot start.
-        if (changes == 0 && leg.contact <= problem.forgiven) return;
+        if (changes == 0 && leg.contact <= problem.no_move()) return;
         leg.length = std::min(leg.contact, around);
         const Real inside = first_parked(problem, leg.path, leg.length);
         if (look == Look::at_depths_too) leg.least = least_short_of_parked(problem, leg.path, leg.length);
@@ -88,7 +88,7 @@ void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>&
             out.outcome = snug::Outcome::never_touches;
             return;
         }
-        if (leg.contact <= problem.forgiven) {
+        if (leg.contact <= problem.no_move()) {
             out.outcome = snug::Outcome::stuck;
             return;
         }
@@ -121,7 +121,7 @@ inline bool starts(const Problem<long double>& problem, long double heading) {
     const Place<long double> place = entry_place(problem, heading);
     if (depth(problem, place) > problem.forgiven) return false;
     const Path<long double> path{place, problem.radius, problem.enter == snug::Enter::backward ? -1 : 1};
-    return first_contact(problem, path, 1e-3L) > problem.forgiven;
+    return first_contact(problem, path, 1e-3L) > 1e-9L;
 }
 
 /// Driven again by cars a little larger and a little smaller, in body and in frame: where these fare otherwise, rounding
