@@ -76,18 +76,17 @@ struct First {
         const Mask ahead = N::both(N::least(N::least(at.s, at.c), later) >= N::set(0.0), at_order >= end_order);
         const Mask met = N::both(possible, N::either(touches, N::both(N::opposite(slips_off), ahead)));
         if (N::none(met)) return;
+        if constexpr (N::alone) found.ahead |= bit_of(meets);
         const Real met_order = N::select(touches, start_order, at_order);
         const Mask earlier = N::both(met, met_order > order);
+        if (N::none(earlier)) return;
         c = N::select(earlier, at.c, c);
         s = N::select(earlier, at.s, s);
         order = N::select(earlier, met_order, order);
         if constexpr (N::alone) {
-            found.ahead |= bit_of(meets);
-            if (earlier) {
-                found.across = at.across;
-                found.meets = meets;
-                found.edge = edge;
-            }
+            found.across = at.across;
+            found.meets = meets;
+            found.edge = edge;
         }
     }
 
