@@ -56,6 +56,9 @@ std::string in_another_unit(const std::string& key, double value) {
     return "";
 }
 
+/// A sum of lengths without what binary numbers add: 0.657, not 0.6569999999999996. [m]
+double tidy(double length) { return std::round(length * 1e12) / 1e12; }
+
 class Described {
 public:
     Described(const CarDescription& description, const Complaint& complaint)
@@ -102,15 +105,16 @@ private:
     /// Front and rear, each by itself or out of what data sheets print.
     [[nodiscard]] double front() const {
         if (given_.has("front")) return at("front");
-        if (given_.has("front_overhang")) return wheelbase_ + at("front_overhang");
-        if (given_.has("length") && (given_.has("rear") || given_.has("rear_overhang"))) return at("length") - rear();
+        if (given_.has("front_overhang")) return tidy(wheelbase_ + at("front_overhang"));
+        if (given_.has("length") && (given_.has("rear") || given_.has("rear_overhang")))
+            return tidy(at("length") - rear());
         complain("front", "is missing; give it in metres, from the rear axle, or give front_overhang");
     }
     [[nodiscard]] double rear() const {
         if (given_.has("rear")) return at("rear");
         if (given_.has("rear_overhang")) return at("rear_overhang");
         if (given_.has("length") && (given_.has("front") || given_.has("front_overhang")))
-            return at("length") - front();
+            return tidy(at("length") - front());
         complain("rear", "is missing; give it in metres, from the rear axle, or give rear_overhang");
     }
 
