@@ -22,7 +22,7 @@ constexpr double agreement = 1e-9;  // of values that say the same, relative
 // What a described car may be: model cars of a thumb's width and road trains are, cars in millimetres or inches are not.
 constexpr double least_length = 1e-3;  // [m]
 constexpr double most_width = 10.0;    // [m]
-constexpr double most_length = 50.0;   // [m]
+constexpr double most_length = 50.0;   // from the rear axle to either end [m]
 constexpr double least_steer = 5.0 * degree;
 constexpr double most_steer = 80.0 * degree;
 
@@ -67,6 +67,7 @@ public:
     Car car() {
         for (const std::string& key : car_lengths)
             if (given_.has(key)) check_length(key);
+        if (!given_.outline) needed("width");
         wheelbase_ = needed("wheelbase");
         const Outline outline = given_.outline ? given_outline() : rectangle();
         if (outline.front() < wheelbase_) refuse_front(outline);
@@ -91,7 +92,11 @@ private:
     void check_length(const std::string& key) const {
         const bool overhang = key == "front_overhang" || key == "rear_overhang";
         const double least = overhang && key == "front_overhang" ? 0.0 : least_length;
-        check(key, at(key), least, key == "width" ? most_width : most_length, " m", in_another_unit(key, at(key)));
+        check(key, at(key), least,
+              key == "width"    ? most_width
+              : key == "length" ? 2.0 * most_length
+                                : most_length,
+              " m", in_another_unit(key, at(key)));
     }
 
     void check(const std::string& key, double value, double least, double most, const std::string& unit,
@@ -139,6 +144,8 @@ private:
                                 in_another_unit("front", size));
             }
             Outline outline(*given_.outline);
+            if (!(outline.rear() > 0.0 && outline.left() > 0.0 && outline.right() > 0.0))
+                throw Error("the middle of the rear axle, (0, 0), lies outside, but must lie inside");
             if (outline.left() + outline.right() > most_width)
                 throw Error("it is " + spelled(outline.left() + outline.right()) + " m wide, but must be at most " +
                             spelled(most_width) + " m" + in_another_unit("width", outline.left() + outline.right()));
