@@ -22,7 +22,7 @@ constexpr const char* examples =
     "  {\"name\": \"my-car\", \"width\": 1.8, \"front\": 3.6, \"rear\": 0.8, \"wheelbase\": 2.6,\n"
     "   \"curb_to_curb\": 10.8}\n"
     "corner_radius (a number, or {\"front\": M, \"rear\": M}) rounds the corners;\n"
-    "outline, a list of [x, y] about the middle of the rear axle, is any convex shape.\n\n"
+    "outline, a list of [x, y] about the middle of the rear axle, any convex shape.\n\n"
     "Examples:\n"
     "  snug cars\n"
     "  snug cars renault-zoe --format json > my-car.json\n"
