@@ -30,14 +30,11 @@ Corner corner_at(const Problem& problem, const Point& corner) {
     const std::vector<Point>& corners = problem.body.corners();
     const std::size_t count = corners.size();
     const auto i = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), corner) - corners.begin());
-    return {outward_normal(corners[(i + count - 1) % count], corner),
-            outward_normal(corner, corners[(i + 1) % count])};
+    return {outward_normal(corners[(i + count - 1) % count], corner), outward_normal(corner, corners[(i + 1) % count])};
 }
 
 /// Of the rear neighbour, seen from the front one's corner.
-Point rear_corner(const Problem& problem) {
-    return {-problem.length, problem.front_setback - problem.rear_setback};
-}
+Point rear_corner(const Problem& problem) { return {-problem.length, problem.front_setback - problem.rear_setback}; }
 
 /// How far the first move starts away from the front side; negative: into it. [m]
 double first_move_clears(const Problem& problem, const Point& corner, double c, double s) {
@@ -88,7 +85,8 @@ double entry_clears(const Problem& problem, const Point& corner, double c, doubl
     if (turned_y(edges.after) <= 0.0) clears = std::min(clears, turned_x(edges.after) * size);
 
     for (const Point& own : problem.at_curb.corners())
-        clears = std::min(clears, turned_y({own.x - corner.x, own.y - corner.y}) + problem.width - problem.front_setback);
+        clears =
+            std::min(clears, turned_y({own.x - corner.x, own.y - corner.y}) + problem.width - problem.front_setback);
 
     const Point rear = rear_corner(problem);
     double left = std::numeric_limits<double>::infinity();

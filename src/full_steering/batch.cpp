@@ -26,7 +26,12 @@ int direction_changes_alone(const FullSteering& steering, double heading, int ma
 
 Cases::Cases(FullSteering& steering, Enter enter, const std::vector<double>& headings, const std::vector<Slot>* slots,
              int max_changes)
-    : steering_(steering), enter_(enter), headings_(headings), slots_(slots), max_changes_(max_changes), changes_(headings.size()) {
+    : steering_(steering),
+      enter_(enter),
+      headings_(headings),
+      slots_(slots),
+      max_changes_(max_changes),
+      changes_(headings.size()) {
     if (slots == nullptr) possible_ = possible_headings(steering.problem);
 }
 
@@ -37,9 +42,15 @@ void Cases::prepare() {
         const FullSteeringRun run(steering_, headings_[next_]);
         const QuarterHeading& direction = run.heading();
         if (is_entry(headings_[next_], direction)) {
-            starts_[prepared_++] = {
-                next_, run.x(), run.y(), direction.c, direction.s, steering_.problem.length, steering_.problem.width,
-                steering_.problem.front_setback, steering_.problem.rear_setback};
+            starts_[prepared_++] = {next_,
+                                    run.x(),
+                                    run.y(),
+                                    direction.c,
+                                    direction.s,
+                                    steering_.problem.length,
+                                    steering_.problem.width,
+                                    steering_.problem.front_setback,
+                                    steering_.problem.rear_setback};
         } else {
             answer(next_, -1);
         }

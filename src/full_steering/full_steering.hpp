@@ -119,8 +119,10 @@ public:
                     now.s = first.s;
                 }
                 if constexpr (Slope) {
-                    if (!move.stuck) end_slope_ = end_slope_at(frame, contact, now);
-                    else end_slope_ = heading_slope_;
+                    if (!move.stuck)
+                        end_slope_ = end_slope_at(frame, contact, now);
+                    else
+                        end_slope_ = heading_slope_;
                 }
                 break;
             }

@@ -7,9 +7,9 @@
 
 #include "contact/entering.hpp"
 #include "contact/parking.hpp"
+#include "full_steering/full_steering.hpp"
 #include "snug/contact.hpp"
 #include "snug/entry_position.hpp"
-#include "full_steering/full_steering.hpp"
 
 namespace snug {
 
@@ -64,7 +64,7 @@ MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering
         move.length = radius * (pose.heading - turned_to);
         pose = {centre_x + offset * end.sine(), centre_y - offset * end.cosine(), turned_to};
         move.end = to_world(slot, options.driving.enter, pose);
-        if (touches) 
+        if (touches)
             move.contact = contact_of(car, slot, options.driving.enter, steering.problem, full.meets, full.part);
         run.maneuver.moves.push_back(move);
         if (parked) {
