@@ -187,16 +187,19 @@ TEST(AtlasBuild, BetweenGridPointsWhatIsDrivenIsFreeOfContact) {
             SCOPED_TRACE(car.name() + " " + std::to_string(length) + " x " + std::to_string(width));
             const SlotDimensions slot = {.length = length, .width = width};
             const Maneuver driven = maneuver(answer.cell, car, Slot(slot));
-            const auto problem = oracle::make_problem<double>(car.dimensions(), length, width, 0.0, Enter::backward);
+            oracle::Case asked;
+            asked.car = car.dimensions();
+            asked.slot = slot;
+            const auto problem = oracle::make_problem<double>(asked);
             int changes = 0;
             for (std::size_t k = 0; k < driven.moves.size(); ++k) {
                 const Move& move = driven.moves[k];
                 changes += k > 0 && move.direction != driven.moves[k - 1].direction ? 1 : 0;
                 const auto path = oracle::path_of(slot, car.dimensions(), move);
-                ASSERT_LE(oracle::deepest(problem.grown, problem.gap, path, move.length), 1e-9) << "move " << k;
+                ASSERT_TRUE(oracle::is_free(problem, path, move.length, 1e-9)) << "move " << k;
             }
             const auto goal = oracle::into_slot(slot, driven.moves.back().end);
-            ASSERT_LE(oracle::outside(problem.car, goal, problem.gap), 1e-9);
+            ASSERT_LE(oracle::outside(problem, goal), 1e-9);
             ASSERT_EQ(changes, answer.cell.direction_changes());
             ASSERT_LE(answer.lower_bound, changes);
         }
