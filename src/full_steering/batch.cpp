@@ -32,7 +32,7 @@ Cases::Cases(FullSteering& steering, Enter enter, const std::vector<double>& hea
       slots_(slots),
       max_changes_(max_changes),
       changes_(headings.size()) {
-    if (slots == nullptr) possible_ = possible_headings(steering.problem);
+    if (slots == nullptr) possible_ = possible_headings(steering.problem, steering.entry);
 }
 
 void Cases::prepare() {
@@ -84,11 +84,11 @@ bool Cases::is_entry(double heading, const QuarterHeading& direction) const {
     if (slots_ == nullptr) return lies_in(possible_, heading);
     const Problem& problem = steering_.problem;
     const double size = problem.length + problem.body.front() + problem.body.rear() + problem.radius;
-    double clears = entry_clears(problem, steering_.entry_corner, direction.c, direction.s);
+    double clears = steering_.entry.clears(problem, direction.c, direction.s);
     if (problem.front_setback == 0.0 && problem.rear_setback == 0.0)
         clears = std::min(clears, problem.length - problem.body.front() - problem.body.rear());
     if (std::abs(clears) > 1e-9 * size) return clears > 0.0;
-    return lies_in(possible_headings(problem), heading);
+    return lies_in(possible_headings(problem, steering_.entry), heading);
 }
 
 }  // namespace detail

@@ -92,7 +92,7 @@ public:
         : steering_(steering), limit_(max_changes), find_(find), progress_(progress) {}
 
     std::vector<CountedHeadings> run() {
-        for (const Headings& headings : possible_headings(steering_.problem)) search(headings);
+        for (const Headings& headings : possible_headings(steering_.problem, steering_.entry)) search(headings);
         if (given_up_) return {};
         std::vector<CountedHeadings> ranges = constant_ranges();
         if (find_ == Find::fewest)
