@@ -6,9 +6,9 @@
 
 #include "atlas/damage.hpp"
 #include "checksum.hpp"
+#include "schema.hpp"
 #include "sentences/check.hpp"
 #include "sentences/spelling.hpp"
-#include "schema.hpp"
 #include "sqlite.hpp"
 
 namespace snug {

@@ -85,7 +85,8 @@ void create_tables(Connection& connection, const AtlasOptions& options) {
     provenance.run("clearance", options.driving.clearance);
     provenance.run("enter", to_string(options.driving.enter));
     Statement part(connection, "INSERT INTO car_part VALUES (?, ?)");
-    for (int i = 0; i <= static_cast<int>(CarPart::front_right_wheel); ++i) part.run(i, to_string(static_cast<CarPart>(i)));
+    for (int i = 0; i <= static_cast<int>(CarPart::front_right_wheel); ++i)
+        part.run(i, to_string(static_cast<CarPart>(i)));
     Statement obstacle(connection, "INSERT INTO obstacle VALUES (?, ?)");
     for (int i = 0; i <= static_cast<int>(Obstacle::rear_corner); ++i)
         obstacle.run(i, to_string(static_cast<Obstacle>(i)));

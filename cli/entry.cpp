@@ -31,7 +31,7 @@ constexpr const char* examples =
     "  snug entry --car mid-size --extra-length 0.6 --extra-width 0.3 --side left\n"
     "  snug entry --car my-car.json --length 5 --width 2 --draw parking.svg\n"
     "  snug entry --car opel-corsa --length 4.6 --width 2 --max-changes 9\n"
-    "  snug entry --car renault-zoe --length 4.6 --width 1.9 --strategy fewest --curb low\n\n"
+    "  snug entry --car mid-size --length 5 --width 2 --strategy fewest --curb low\n\n"
     "Exit codes: 0 solved; 1 understood, and the car cannot park; 2 bad input, with\n"
     "one line that says what is wrong; 3 undecided within the limits given.";
 

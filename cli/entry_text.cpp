@@ -74,7 +74,7 @@ double off_parallel(const Slot& slot, const Pose& pose) {
 
 std::string refusal(const EntryQuestion& question) {
     const EntryOptions& options = question.options;
-    const std::string lacking = words(shortfall(question.car, question.slot, options.driving.clearance));
+    const std::string lacking = words(shortfall(question.car, question.slot, options.driving));
     std::string why;
     if (!lacking.empty()) {
         why =
@@ -226,7 +226,7 @@ std::string proof(const Answer& answer) {
 std::string no_way(const EntryQuestion& question, const char* what, int max_changes, const Answer& answer) {
     const std::string car_and_slot =
         name(question.car) + (answer.proved ? " cannot " : " may ") + what + " " + slot_words(question.slot) + ":\n";
-    const std::string lacking = words(shortfall(question.car, question.slot, question.options.driving.clearance));
+    const std::string lacking = words(shortfall(question.car, question.slot, question.options.driving));
     if (!lacking.empty()) return car_and_slot + "the slot is " + lacking + " for the car.\n";
     const std::string most = (max_changes == 0 ? "" : "up to ") + changes(max_changes);
     if (answer.proved) return car_and_slot + "no maneuver whatsoever does with " + most + ", which is proved.\n";

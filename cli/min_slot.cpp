@@ -143,6 +143,19 @@ double loop_step(const Asked& asked, Planner planner, Given given) {
     return used.value_or(0.01);
 }
 
+/// The library's question about minimum slots is one about the paper's slot.
+void refuse_neighbours(const NeighbourOptions& neighbours) {
+    const auto refuse = [](const auto& option, bool plain) {
+        if (option && !plain)
+            throw Error(option.name() +
+                        " is not known to min-slot, which finds the paper's slots; leave it out, or ask " +
+                        "snug entry about single slots");
+    };
+    refuse(neighbours.front_setback, neighbours.front_setback.value_or(0.0) == 0.0);
+    refuse(neighbours.rear_setback, neighbours.rear_setback.value_or(0.0) == 0.0);
+    refuse(neighbours.curb, neighbours.curb.value_or(Curb::high) == Curb::high);
+}
+
 MinSlotQuestion understood(const Asked& asked, Planner planner, Given given) {
     MinSlotQuestion question{asked.car.car(), given, {}, {}, {}};
     const Car& car = question.car;
@@ -150,6 +163,7 @@ MinSlotQuestion understood(const Asked& asked, Planner planner, Given given) {
     question.options.driving = asked.driving.driving(asked.neighbours);
     question.options.parked = asked.parked.parked();
     refuse_for_baselines(planner, asked.neighbours, asked.parked);
+    refuse_neighbours(asked.neighbours);
     const double max_length = asked.max_length.value_or(std::min(car.length() + 4.0, limits::longest));
     question.options.longest = std::max(0.0, max_length - car.length() - 2.0 * question.options.driving.clearance);
     if (asked.threads) question.threads = *asked.threads;

@@ -11,6 +11,7 @@
 #include "labels.hpp"
 #include "scene.hpp"
 #include "snug/draw.hpp"
+#include "snug/entry_position.hpp"
 #include "view.hpp"
 
 namespace snug {

@@ -13,6 +13,7 @@
 #include "path.hpp"
 #include "scene.hpp"
 #include "snug/draw.hpp"
+#include "snug/entry_position.hpp"
 #include "view.hpp"
 
 namespace snug {

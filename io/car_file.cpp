@@ -22,7 +22,7 @@ constexpr double agreement = 1e-9;  // of values that say the same, relative
 // What a described car may be: model cars of a thumb's width and road trains are, cars in millimetres or inches are not.
 constexpr double least_length = 1e-3;  // [m]
 constexpr double most_width = 10.0;    // [m]
-constexpr double most_length = 50.0;   // [m]
+constexpr double most_length = 50.0;   // from the rear axle to either end [m]
 constexpr double least_steer = 5.0 * degree;
 constexpr double most_steer = 80.0 * degree;
 
@@ -56,6 +56,9 @@ std::string in_another_unit(const std::string& key, double value) {
     return "";
 }
 
+/// A sum of lengths without what binary numbers add: 0.657, not 0.6569999999999996. [m]
+double tidy(double length) { return std::round(length * 1e12) / 1e12; }
+
 class Described {
 public:
     Described(const CarDescription& description, const Complaint& complaint)
@@ -64,6 +67,7 @@ public:
     Car car() {
         for (const std::string& key : car_lengths)
             if (given_.has(key)) check_length(key);
+        if (!given_.outline) needed("width");
         wheelbase_ = needed("wheelbase");
         const Outline outline = given_.outline ? given_outline() : rectangle();
         if (outline.front() < wheelbase_) refuse_front(outline);
@@ -88,7 +92,11 @@ private:
     void check_length(const std::string& key) const {
         const bool overhang = key == "front_overhang" || key == "rear_overhang";
         const double least = overhang && key == "front_overhang" ? 0.0 : least_length;
-        check(key, at(key), least, key == "width" ? most_width : most_length, " m", in_another_unit(key, at(key)));
+        check(key, at(key), least,
+              key == "width"    ? most_width
+              : key == "length" ? 2.0 * most_length
+                                : most_length,
+              " m", in_another_unit(key, at(key)));
     }
 
     void check(const std::string& key, double value, double least, double most, const std::string& unit,
@@ -102,15 +110,16 @@ private:
     /// Front and rear, each by itself or out of what data sheets print.
     [[nodiscard]] double front() const {
         if (given_.has("front")) return at("front");
-        if (given_.has("front_overhang")) return wheelbase_ + at("front_overhang");
-        if (given_.has("length") && (given_.has("rear") || given_.has("rear_overhang"))) return at("length") - rear();
+        if (given_.has("front_overhang")) return tidy(wheelbase_ + at("front_overhang"));
+        if (given_.has("length") && (given_.has("rear") || given_.has("rear_overhang")))
+            return tidy(at("length") - rear());
         complain("front", "is missing; give it in metres, from the rear axle, or give front_overhang");
     }
     [[nodiscard]] double rear() const {
         if (given_.has("rear")) return at("rear");
         if (given_.has("rear_overhang")) return at("rear_overhang");
         if (given_.has("length") && (given_.has("front") || given_.has("front_overhang")))
-            return at("length") - front();
+            return tidy(at("length") - front());
         complain("rear", "is missing; give it in metres, from the rear axle, or give rear_overhang");
     }
 
@@ -135,6 +144,8 @@ private:
                                 in_another_unit("front", size));
             }
             Outline outline(*given_.outline);
+            if (!(outline.rear() > 0.0 && outline.left() > 0.0 && outline.right() > 0.0))
+                throw Error("the middle of the rear axle, (0, 0), lies outside, but must lie inside");
             if (outline.left() + outline.right() > most_width)
                 throw Error("it is " + spelled(outline.left() + outline.right()) + " m wide, but must be at most " +
                             spelled(most_width) + " m" + in_another_unit("width", outline.left() + outline.right()));

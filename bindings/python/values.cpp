@@ -78,57 +78,56 @@ void define_car(py::module_& module) {
             "of\n"
             "a convex polygon, x ahead and y to the left of the middle of the rear axle [m].\n"
             "Lengths lie between 1e-6 and 1e6 m, the steering angle between 0.1 and 89.9 degrees; the front may\n"
-            "be shorter than the wheelbase. Raises Error when a dimension is impossible."))
-        type.field("name", &Car::name, "As in the catalogue, or your own.")
-            .field("width", &Car::width, "w: width without mirrors [m]")
-            .field("front", &Car::front, "d_f: from the rear axle centre to the front [m]")
-            .field("rear", &Car::rear, "d_r: from the rear axle centre to the back [m]")
-            .field("wheelbase", &Car::wheelbase, "b: between the axles [m]")
-            .field("max_steer", &Car::max_steer, "phi_max: largest steering angle [rad]")
-            .field(
-                "outline",
-                [](const Car& c) -> py::object {
-                    if (c.is_rectangle()) return py::none();
-                    py::list corners;
-                    for (const Point& corner : c.outline().corners())
-                        corners.append(py::make_tuple(corner.x, corner.y));
-                    return py::tuple(corners);
-                },
-                "Corners (x, y) about the middle of the rear axle, counter-clockwise [m]; None for a rectangle.")
-            .property("length", &Car::length, "Bumper to bumper, d_f + d_r. [m]")
-            .property("turning_radius", &Car::turning_radius,
-                      "r = b / tan(phi_max): radius of the rear axle centre's tightest circle. [m]")
-            .property("curb_to_curb", &Car::curb_to_curb,
-                      "Diameter of the outer front wheel's tightest circle, as data sheets print it. [m]")
-            .property("wall_to_wall", &Car::wall_to_wall, "Diameter of the tightest circle that the body needs. [m]")
-            .constructor(car,
-                         [](const Arguments& given) {
-                             std::string name;
-                             py::object outline = py::none();
-                             given.read("name", name);
-                             given.read("outline", outline);
-                             const auto wheelbase = given.get<double>("wheelbase");
-                             const auto max_steer = given.get<double>("max_steer");
-                             std::optional<double> width, front, rear;
-                             given.read("width", width);
-                             given.read("front", front);
-                             given.read("rear", rear);
-                             if (outline.is_none()) {
-                                 for (const auto& [key, value] :
-                                      {std::pair("width", width), std::pair("front", front), std::pair("rear", rear)})
-                                     if (!value)
-                                         throw py::type_error(std::string(key) + " is missing; give it, or an outline");
-                                 return Car({*width, *front, *rear, wheelbase, max_steer}, name);
-                             }
-                             std::vector<Point> corners;
-                             for (const py::handle corner : outline) corners.push_back(as_point(corner, "outline"));
-                             Car made(Outline(std::move(corners)), wheelbase, max_steer, name);
-                             check_extent("width", width, made.width());
-                             check_extent("front", front, made.front());
-                             check_extent("rear", rear, made.rear());
-                             return made;
-                         })
-            .finish();
+            "be shorter than the wheelbase. Raises Error when a dimension is impossible."));
+    type.field("name", &Car::name, "As in the catalogue, or your own.")
+        .field("width", &Car::width, "w: width without mirrors [m]")
+        .field("front", &Car::front, "d_f: from the rear axle centre to the front [m]")
+        .field("rear", &Car::rear, "d_r: from the rear axle centre to the back [m]")
+        .field("wheelbase", &Car::wheelbase, "b: between the axles [m]")
+        .field("max_steer", &Car::max_steer, "phi_max: largest steering angle [rad]")
+        .field(
+            "outline",
+            [](const Car& c) -> py::object {
+                if (c.is_rectangle()) return py::none();
+                py::list corners;
+                for (const Point& corner : c.outline().corners()) corners.append(py::make_tuple(corner.x, corner.y));
+                return py::tuple(corners);
+            },
+            "Corners (x, y) about the middle of the rear axle, counter-clockwise [m]; None for a rectangle.")
+        .property("length", &Car::length, "Bumper to bumper, d_f + d_r. [m]")
+        .property("turning_radius", &Car::turning_radius,
+                  "r = b / tan(phi_max): radius of the rear axle centre's tightest circle. [m]")
+        .property("curb_to_curb", &Car::curb_to_curb,
+                  "Diameter of the outer front wheel's tightest circle, as data sheets print it. [m]")
+        .property("wall_to_wall", &Car::wall_to_wall, "Diameter of the tightest circle that the body needs. [m]")
+        .constructor(car,
+                     [](const Arguments& given) {
+                         std::string name;
+                         py::object outline = py::none();
+                         given.read("name", name);
+                         given.read("outline", outline);
+                         const auto wheelbase = given.get<double>("wheelbase");
+                         const auto max_steer = given.get<double>("max_steer");
+                         std::optional<double> width, front, rear;
+                         given.read("width", width);
+                         given.read("front", front);
+                         given.read("rear", rear);
+                         if (outline.is_none()) {
+                             for (const auto& [key, value] :
+                                  {std::pair("width", width), std::pair("front", front), std::pair("rear", rear)})
+                                 if (!value)
+                                     throw py::type_error(std::string(key) + " is missing; give it, or an outline");
+                             return Car({*width, *front, *rear, wheelbase, max_steer}, name);
+                         }
+                         std::vector<Point> corners;
+                         for (const py::handle corner : outline) corners.push_back(as_point(corner, "outline"));
+                         Car made(Outline(std::move(corners)), wheelbase, max_steer, name);
+                         check_extent("width", width, made.width());
+                         check_extent("front", front, made.front());
+                         check_extent("rear", rear, made.rear());
+                         return made;
+                     })
+        .finish();
     type.def_static(
         "from_dict",
         [](const py::dict& keys) {

@@ -180,8 +180,7 @@ val fewest_question(const val& given_car, const val& given_slot, const val& give
         const Slot slot = slot_from(given_slot);
         const std::optional<int> max_changes = count_given(given_options, "max_changes");
         const FewestOptions options = fewest_options(given_options);
-        return as_object(
-            as_json(car, slot, max_changes, fewest(car, slot, options), options.driving, options.parked));
+        return as_object(as_json(car, slot, max_changes, fewest(car, slot, options), options.driving, options.parked));
     });
 }
 

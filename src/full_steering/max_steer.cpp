@@ -81,7 +81,8 @@ MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const Ma
     check(options);
     check_entry_heading(heading);
     const FullSteering steering(entering_problem(car, slot, options.driving, options.parked));
-    if (!lies_in(detail::possible_headings(steering.problem, steering.entry), heading)) return {Outcome::no_entry, {car, {}}};
+    if (!lies_in(detail::possible_headings(steering.problem, steering.entry), heading))
+        return {Outcome::no_entry, {car, {}}};
     const FullSteeringRun at_entry(steering, heading);
     const double radius = steering.problem.radius;
     const QuarterHeading& way = at_entry.heading();

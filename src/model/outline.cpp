@@ -14,8 +14,8 @@ namespace snug {
 namespace {
 
 constexpr std::size_t most_corners = 256;
-constexpr double farthest = 1e6;     // [m]
-constexpr double on_a_line = 1e-9;   // of the outline's size
+constexpr double farthest = 1e6;    // [m]
+constexpr double on_a_line = 1e-9;  // of the outline's size
 constexpr int corners_of_an_arc = 6;
 constexpr double quarter_turn = 1.57079632679489661923;
 

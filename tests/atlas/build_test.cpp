@@ -366,11 +366,12 @@ TEST(AtlasBuild, AsksNoMoreWhenNothingIsLeft) {
     for (int threads = 1; threads <= 8; ++threads) {
         int batches = 5;
         int stored = 0;
-        const CellQueue queue = {[&] {
-                                   EXPECT_GE(batches, 0) << "asked again";  // where next() waits, that is for ever
-                                   return --batches < 0 ? CellBatch{} : CellBatch{0, plan.widths[0], {plan.lengths[0]}};
-                               },
-                               [&](const SolvedBatch& solved) { stored += static_cast<int>(solved.answers.size()); }};
+        const CellQueue queue = {
+            [&] {
+                EXPECT_GE(batches, 0) << "asked again";  // where next() waits, that is for ever
+                return --batches < 0 ? CellBatch{} : CellBatch{0, plan.widths[0], {plan.lengths[0]}};
+            },
+            [&](const SolvedBatch& solved) { stored += static_cast<int>(solved.answers.size()); }};
         solve_all(plan, queue, threads, {});
         EXPECT_EQ(stored, 5);
         EXPECT_EQ(batches, -1);

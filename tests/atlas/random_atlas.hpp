@@ -66,8 +66,8 @@ inline std::vector<Car> random_cars(Random& random, int most) {
         }
         const CarDimensions& d = chosen.car;
         const double round = 0.2 * std::min({d.front, d.rear, d.width});
-        cars.emplace_back(Outline::rounded(d.front, d.rear, d.width / 2.0, round, 0.5 * round), d.wheelbase, d.max_steer,
-                          name);
+        cars.emplace_back(Outline::rounded(d.front, d.rear, d.width / 2.0, round, 0.5 * round), d.wheelbase,
+                          d.max_steer, name);
     }
     return cars;
 }

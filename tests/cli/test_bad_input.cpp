@@ -164,8 +164,9 @@ TEST(BadInput, OnlyWordsThatAreNearAreSuggested) {
     const Folder folder;
     suggests("cars " + folder.with("near.json", R"({"wheel-base": 2})"), "\"wheelbase\"");
     suggests_nothing(
-        "cars " + folder.with("far.json", R"({"length": 2})"),
-        "write width, front, rear, wheelbase, max_steer, max_steer_deg, turning_radius, curb_to_curb or name");
+        "cars " + folder.with("far.json", R"({"colour": 2})"),
+        "write width, front, rear, wheelbase, length, front_overhang, rear_overhang, max_steer, max_steer_deg, "
+        "turning_radius, curb_to_curb, wall_to_wall, outline, corner_radius or name");
 }
 
 TEST(BadInput, BytesThatAreNoTextAreShownAsNumbers) {

@@ -121,8 +121,9 @@ TEST(Fleet, FieldsThatAreWrongAreToldWithTheirLineAndColumn) {
 TEST(Fleet, ColumnsThatRepeatOthersMustAgree) {
     const std::string all = "name,width,front,rear,wheelbase,max_steer_deg,turning_radius,length\n";
     expect_error(all + "a,1.8,3.6,0.8,2.6,36,,4.5\n",
-                 {"line 2, column 8 (length)", "\"4.5\"", "front and rear", "4.4"});
-    expect_error(all + "a,1.8,3.6,0.8,2.6,36,4,\n", {"line 2, column 7 (turning_radius)", "\"4\"", "max_steer_deg"});
+                 {"line 2, column 8 (length)", "length is 4.5", "front and rear", "4.4"});
+    expect_error(all + "a,1.8,3.6,0.8,2.6,36,4,\n",
+                 {"line 2, column 7 (turning_radius)", "turning_radius is 4", "max_steer_deg"});
     expect_error(all + "a,1.8,3.6,0.8,2.6,36,x,\n", {"line 2, column 7 (turning_radius)", "no number"});
     EXPECT_EQ(cars_from_csv(all + "a,1.8,3.6,0.8,2.6,45,2.6,4.4\n", "").size(), 1U);
 }

@@ -83,7 +83,7 @@ struct Question {
     snug::FirstContact answer() const {
         const double mirror = asked.slot.side == snug::Side::left ? -1.0 : 1.0;
         return snug::first_contact(snug::Car(asked.car), snug::Slot(asked.slot), into_world(asked.slot, place),
-                                   direction, mirror * steering, asked.driving.clearance);
+                                   direction, mirror * steering, asked.driving);
     }
     std::string text() const {
         std::ostringstream out;

@@ -238,8 +238,8 @@ std::vector<Point> part_of(const Car& car, CarPart part, const Pose& pose) {
         case CarPart::left_edge: return {f[0], f[1]};
         case CarPart::rear_edge: return {f[1], f[2]};
         case CarPart::right_edge: return {f[2], f[3]};
+        default: return {};  // wheels meet low curbs only
     }
-    return {};
 }
 
 TEST(Stepping, TheNamedPartIsAStepFromTheNamedObstacle) {
