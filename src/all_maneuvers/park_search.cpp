@@ -1,0 +1,235 @@
+#include "all_maneuvers/park_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "all_maneuvers/inner_sets.hpp"
+#include "all_maneuvers/route.hpp"
+
+namespace snug::detail::sets {
+
+namespace {
+
+Direction other(Direction direction) {
+    return direction == Direction::forward ? Direction::backward : Direction::forward;
+}
+
+bool same(const Pairs& one, const Pairs& two) {
+    for (std::size_t k = 0; k < one.layers.size(); ++k)
+        if (one.layers[k].z != two.layers[k].z || one.layers[k].w != two.layers[k].w) return false;
+    return true;
+}
+
+/// Something of every move forward and every move backward.
+template <class Of>
+struct BothWays {
+    std::vector<Of> forward, backward;
+
+    std::vector<Of>& of(Direction direction) { return direction == Direction::forward ? forward : backward; }
+    const std::vector<Of>& of(Direction direction) const {
+        return direction == Direction::forward ? forward : backward;
+    }
+};
+
+constexpr Direction both_directions[] = {Direction::forward, Direction::backward};
+
+/// Sets of a whole lattice, nothing clipped, as deep as asked for: outward from the parked poses and from the start.
+class CoarseSets {
+public:
+    explicit CoarseSets(const OuterLattice& on) : lattice(on) {}
+
+    /// One more move each way; false when it adds nothing.
+    bool deepen(BothWays<Pairs>& sets, bool from_start, const Watching& watch) const {
+        const Limits& limits = lattice.free();
+        const std::size_t k = sets.forward.size();
+        for (const Direction direction : both_directions) {
+            Pairs pairs;
+            if (k > 0) {
+                pairs = lattice.turn(sets.of(other(direction))[k - 1], limits, limits, direction);
+            } else {
+                pairs = from_start ? lattice.begin_at_start(limits, direction)
+                                   : lattice.begin(lattice.parked(), limits, direction);
+            }
+            lattice.sweep(pairs, limits, direction, watch);
+            sets.of(direction).push_back(std::move(pairs));
+        }
+        return k == 0 || !same(sets.forward[k], sets.forward[k - 1]) || !same(sets.backward[k], sets.backward[k - 1]);
+    }
+    [[nodiscard]] bool start_reached(const BothWays<Pairs>& sets) const {
+        for (const Direction direction : both_directions)
+            if (lattice.holds_start(sets.of(direction).back(), lattice.free(), direction)) return true;
+        return false;
+    }
+
+    const OuterLattice& lattice;
+};
+
+/// What is left of a lattice when only maneuvers with so many changes count: where the car can be in every move of leaving.
+struct Left {
+    double h = 0.0;
+    BothWays<Limits> moves;
+    Layer hull_of_all;
+};
+
+Layer hull_of(const BothWays<Limits>& moves) {
+    std::vector<const Limits*> several;
+    for (const Direction direction : both_directions)
+        for (const Limits& limits : moves.of(direction)) several.push_back(&limits);
+    return hull(several);
+}
+
+/// From what is left of the lattice twice as coarse to what is left of this one; nothing when the start is out of reach.
+std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coarse, ParkBounds& bounds, const Watching& watch) {
+    const double h = coarse.h / 2.0;
+    const OuterLattice lattice(place, h, h0, &coarse.hull_of_all, watch);
+    const std::size_t moves = coarse.moves.forward.size();
+    BothWays<Limits> limits;
+    for (const Direction direction : both_directions)
+        for (const Limits& left : coarse.moves.of(direction)) limits.of(direction).push_back(lattice.clipped(left));
+    // Outward from the parked poses, then from the start: what is in both is left.
+    BothWays<Pairs> out, in;
+    for (std::size_t k = 0; k < moves; ++k) {
+        for (const Direction direction : both_directions) {
+            const Limits& mine = limits.of(direction)[k];
+            Pairs pairs = k == 0 ? lattice.begin(lattice.parked(), mine, direction)
+                                 : lattice.turn(out.of(other(direction))[k - 1], limits.of(other(direction))[k - 1], mine, direction);
+            lattice.sweep(pairs, mine, direction, watch);
+            out.of(direction).push_back(std::move(pairs));
+        }
+    }
+    bool reached = false;
+    for (const Direction direction : both_directions)
+        reached = reached || lattice.holds_start(out.of(direction).back(), limits.of(direction).back(), direction);
+    bounds.updates += std::exchange(lattice.updates, 0);
+    if (!reached) return std::nullopt;
+    // Driving forward when leaving is driving backward when parking, and move k is the last but k.
+    for (const Direction direction : both_directions) in.of(direction).resize(moves);
+    for (std::size_t k = moves; k-- > 0;) {
+        for (const Direction direction : both_directions) {
+            const Limits& mine = limits.of(other(direction))[k];
+            Pairs pairs = k + 1 == moves ? lattice.begin_at_start(mine, direction)
+                                         : lattice.turn(in.of(other(direction))[k + 1], limits.of(direction)[k + 1], mine, direction);
+            lattice.sweep(pairs, mine, direction, watch);
+            in.of(direction)[k] = std::move(pairs);
+        }
+    }
+    Left left;
+    left.h = h;
+    for (const Direction direction : both_directions)
+        for (std::size_t k = 0; k < moves; ++k)
+            left.moves.of(direction).push_back(
+                lattice.common(out.of(direction)[k], direction, in.of(other(direction))[k], limits.of(direction)[k]));
+    left.hull_of_all = hull_of(left.moves);
+    bounds.updates += lattice.updates;
+    return left;
+}
+
+/// A way with as many changes as the moves that are left allow, if the lattice of upper bounds has one that can be driven.
+std::vector<Path> way_within(const ChartPlace& place, double h0, const Left& left, const Watching& watch, std::size_t& updates) {
+    const InnerLattice lattice(place, left.h, h0, left.hull_of_all, watch);
+    const std::size_t moves = left.moves.forward.size();
+    for (const Direction last : both_directions) {
+        InnerChain chain;
+        chain.last = last;
+        chain.reaches.resize(moves);  // so that directions can be told
+        for (std::size_t k = 0; k < moves; ++k) {
+            const Direction direction = chain.direction(k);
+            const InnerSet free = lattice.clipped(left.moves.of(direction)[k]);
+            chain.begins.push_back(k == 0 ? lattice.parked() : chain.reaches[k - 1]);
+            chain.reaches[k] = lattice.sweep(chain.begins[k], free, direction, watch);
+        }
+        updates += std::exchange(lattice.updates, 0);
+        if (!lattice.holds_start(chain.reaches.back())) continue;
+        std::vector<Path> way = way_of_few_pieces(lattice, chain, place);
+        if (!way.empty() && is_drivable(place, way)) return way;
+        way = way_by_steps(lattice, chain, place);
+        if (!way.empty() && is_drivable(place, way)) return way;
+    }
+    return {};
+}
+
+int changes_of(const std::vector<Path>& way) {
+    int changes = 0;
+    for (std::size_t i = 1; i < way.size(); ++i) changes += way[i].way != way[i - 1].way;
+    return changes;
+}
+
+constexpr int most_tried_above = 30;  ///< counts above the lower bound for which the coarsest lattices look for a way
+
+}  // namespace
+
+void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& watch) {
+    const double h0 = question.coarsest;
+    const OuterLattice lattice(question.place, h0, h0, nullptr, watch);
+    const CoarseSets coarse(lattice);
+    BothWays<Pairs> out, in;
+    int reached = 0;
+    for (;; ++reached) {
+        if (reached > question.max_changes) {
+            bounds.lower = question.max_changes + 1;
+            return;
+        }
+        const bool more = coarse.deepen(out, false, watch);
+        if (coarse.start_reached(out)) break;
+        if (!more) {
+            bounds.impossible = true;
+            bounds.lower = question.max_changes + 1;
+            return;
+        }
+        bounds.lower = reached + 1;
+    }
+    bounds.updates += lattice.updates;
+    bounds.lower = reached;
+    bounds.spacing = h0;
+
+    const auto left_with = [&](int changes) {
+        while (static_cast<int>(out.forward.size()) <= changes) coarse.deepen(out, false, watch);
+        while (static_cast<int>(in.forward.size()) <= changes) coarse.deepen(in, true, watch);
+        Left left;
+        left.h = h0;
+        for (const Direction direction : both_directions)
+            for (std::size_t k = 0; k <= static_cast<std::size_t>(changes); ++k)
+                left.moves.of(direction).push_back(
+                    lattice.common(out.of(direction)[k], direction, in.of(other(direction))[static_cast<std::size_t>(changes) - k],
+                                   lattice.free()));
+        left.hull_of_all = hull_of(left.moves);
+        return left;
+    };
+    const auto try_way = [&](const Left& left) {
+        std::vector<Path> way = way_within(question.place, h0, left, watch, bounds.updates);
+        if (way.empty()) return false;
+        const int changes = changes_of(way);
+        if (!bounds.upper || changes < *bounds.upper) {
+            bounds.upper = changes;
+            bounds.way = std::move(way);
+        }
+        return true;
+    };
+
+    for (double h = h0; h > 0.999 * question.finest; h /= 2.0) {
+        // What is left for the lower bound at this spacing; each count that turns out impossible moves it up.
+        std::optional<Left> left;
+        while (!left) {
+            if (bounds.meet() || bounds.lower > question.max_changes) return;
+            left = left_with(bounds.lower);
+            while (left && left->h > 1.001 * h) left = refined(question.place, h0, *left, bounds, watch);
+            if (!left) ++bounds.lower;
+        }
+        bounds.spacing = h;
+        for (int changes = bounds.lower; changes <= question.max_changes && changes < bounds.upper.value_or(changes + 1);
+             ++changes) {
+            if (changes > bounds.lower) {
+                if (changes > bounds.lower + (bounds.upper ? 2 : most_tried_above)) break;
+                left = left_with(changes);
+                while (left && left->h > 1.001 * h) left = refined(question.place, h0, *left, bounds, watch);
+                if (!left) continue;
+            }
+            if (try_way(*left)) break;
+        }
+        if (bounds.meet()) return;
+    }
+}
+
+}  // namespace snug::detail::sets

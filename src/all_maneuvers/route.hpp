@@ -1,0 +1,34 @@
+// From sets of y to a way to drive: of few arcs and straight lines along the lattice, from the very start.
+#pragma once
+
+#include <vector>
+
+#include "all_maneuvers/inner_sets.hpp"
+#include "contact/place_contact.hpp"
+#include "snug/maneuver.hpp"
+
+namespace snug::detail::sets {
+
+/// The sets of one alternation of moves, outward from the parked poses: the last one holds the start.
+struct InnerChain {
+    std::vector<InnerSet> begins;  ///< where move k begins to leave: the parked poses, then the move before
+    std::vector<InnerSet> reaches;
+    Direction last = Direction::forward;  ///< of the last one, leaving
+
+    [[nodiscard]] Direction direction(std::size_t k) const {
+        const bool same = (reaches.size() - 1 - k) % 2 == 0;
+        return same == (last == Direction::forward) ? Direction::forward : Direction::backward;
+    }
+};
+
+/// Pieces with constant steering in the chart, as driven when parking; empty where no way is found. Of ways with equally few
+/// pieces in a move the one that keeps away from the ends of free intervals.
+std::vector<Path> way_of_few_pieces(const InnerLattice& lattice, const InnerChain& chain, const ChartPlace& place);
+
+/// The way through the middle of the sets, with a piece for every step.
+std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& chain, const ChartPlace& place);
+
+/// Whether nothing is met, the region is not left and the car is parked at the end.
+bool is_drivable(const ChartPlace& place, const std::vector<Path>& way);
+
+}  // namespace snug::detail::sets
