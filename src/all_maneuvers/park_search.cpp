@@ -7,6 +7,7 @@
 
 #include "all_maneuvers/inner_sets.hpp"
 #include "all_maneuvers/route.hpp"
+#include "model/polygon.hpp"
 
 namespace snug::detail::sets {
 
@@ -126,28 +127,116 @@ std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coar
     return left;
 }
 
-/// A way with as many changes as the moves that are left allow, if the lattice of upper bounds has one that can be driven.
-std::vector<Path> way_within(const ChartPlace& place, double h0, const Left& left, const Watching& watch, std::size_t& updates) {
-    const InnerLattice lattice(place, left.h, h0, left.hull_of_all, watch);
-    const std::size_t moves = left.moves.forward.size();
-    for (const Direction last : both_directions) {
-        InnerChain chain;
-        chain.last = last;
-        chain.reaches.resize(moves);  // so that directions can be told
-        for (std::size_t k = 0; k < moves; ++k) {
-            const Direction direction = chain.direction(k);
-            const InnerSet free = lattice.clipped(left.moves.of(direction)[k]);
-            chain.begins.push_back(k == 0 ? lattice.parked() : chain.reaches[k - 1]);
-            chain.reaches[k] = lattice.sweep(chain.begins[k], free, direction, watch);
+/// The place for a car that is larger by so much on every side.
+ChartPlace with_grown_car(const ChartPlace& place, double by) {
+    ChartPlace grown = place;
+    grown.body = grown_polygon(place.body, by);
+    grown.wheels = grown_polygon(place.wheels, by);
+    return grown;
+}
+
+/// Looks for ways with as many changes as the moves that are left allow.
+class WaySearch {
+public:
+    WaySearch(const ParkQuestion& asked, const Left& left_moves, const Watching& watch, std::size_t& counted)
+        : question_(asked), left_(left_moves), watch_(watch), updates_(counted) {}
+
+    /// One that can be driven; empty if none is found.
+    std::vector<Path> way() {
+        for (const Direction last : both_directions) {
+            std::optional<Found> plain = find(0.0, last);
+            if (!plain) continue;
+            if (!question_.roomiest) {
+                std::vector<Path> way = drivable(*plain);
+                if (!way.empty()) return way;
+            }
+            // The larger the car may be, the more distance the way keeps, and what is met between nodes shrinks.
+            std::vector<Found> larger;
+            larger.push_back(std::move(*plain));
+            double too_large = largest;
+            for (double by = smallest; by < largest; by *= 3.0) {
+                std::optional<Found> found = find(by, last);
+                if (!found) {
+                    too_large = by;
+                    break;
+                }
+                larger.push_back(std::move(*found));
+            }
+            for (int i = 0; i < 3; ++i) {
+                const double middle = (larger.back().grown + too_large) / 2.0;
+                std::optional<Found> found = find(middle, last);
+                if (found) {
+                    larger.push_back(std::move(*found));
+                } else {
+                    too_large = middle;
+                }
+            }
+            for (; !larger.empty(); larger.pop_back()) {
+                if (larger.size() == 1 && !question_.roomiest) break;
+                std::vector<Path> way = drivable(larger.back());
+                if (!way.empty()) return way;
+            }
         }
-        updates += std::exchange(lattice.updates, 0);
-        if (!lattice.holds_start(chain.reaches.back())) continue;
-        std::vector<Path> way = way_of_few_pieces(lattice, chain, place);
-        if (!way.empty() && is_drivable(place, way)) return way;
-        way = way_by_steps(lattice, chain, place);
-        if (!way.empty() && is_drivable(place, way)) return way;
+        return {};
     }
-    return {};
+
+private:
+    static constexpr double smallest = 0.003, largest = 0.5;  ///< by which the car is grown [m]
+
+    struct Found {
+        double grown = 0.0;
+        InnerLattice lattice;
+        InnerChain chain;
+    };
+
+    std::optional<Found> find(double grown, Direction last) {
+        const ChartPlace place = with_grown_car(question_.place, grown);
+        Found found{grown, InnerLattice(place, left_.h, question_.coarsest, left_.hull_of_all, watch_), {}};
+        const std::size_t moves = left_.moves.forward.size();
+        found.chain.last = last;
+        found.chain.reaches.resize(moves);  // so that directions can be told
+        for (std::size_t k = 0; k < moves; ++k) {
+            const Direction direction = found.chain.direction(k);
+            const InnerSet free = found.lattice.clipped(left_.moves.of(direction)[k]);
+            found.chain.begins.push_back(k == 0 ? found.lattice.parked() : found.chain.reaches[k - 1]);
+            found.chain.reaches[k] = found.lattice.sweep(found.chain.begins[k], free, direction, watch_);
+        }
+        updates_ += found.lattice.updates;
+        if (!found.lattice.holds_start(found.chain.reaches.back())) return std::nullopt;
+        return found;
+    }
+
+    std::vector<Path> drivable(const Found& found) {
+        std::vector<Path> way = way_of_few_pieces(found.lattice, found.chain, question_.place);
+        if (!way.empty() && is_drivable(question_.place, way)) return way;
+        way = way_by_steps(found.lattice, found.chain, question_.place);
+        if (!way.empty() && is_drivable(question_.place, way)) return way;
+        return {};
+    }
+
+    const ParkQuestion& question_;
+    const Left& left_;
+    const Watching& watch_;
+    std::size_t& updates_;
+};
+
+/// The fewest changes along the lattice of upper bounds, up to `most`, whatever is met between its nodes.
+std::optional<int> changes_along(const ChartPlace& place, double h, double h0, const Layer& cells, int most,
+                                 const Watching& watch, std::size_t& updates) {
+    const InnerLattice lattice(place, h, h0, cells, watch);
+    BothWays<InnerSet> now;
+    std::optional<int> changes;
+    for (int k = 0; k <= most && !changes; ++k) {
+        BothWays<InnerSet> next;
+        for (const Direction direction : both_directions) {
+            const InnerSet& begin = k == 0 ? lattice.parked() : now.of(other(direction)).front();
+            next.of(direction).push_back(lattice.sweep(begin, lattice.free(), direction, watch));
+            if (lattice.holds_start(next.of(direction).front())) changes = k;
+        }
+        now = std::move(next);
+    }
+    updates += lattice.updates;
+    return changes;
 }
 
 int changes_of(const std::vector<Path>& way) {
@@ -156,7 +245,8 @@ int changes_of(const std::vector<Path>& way) {
     return changes;
 }
 
-constexpr int most_tried_above = 30;  ///< counts above the lower bound for which the coarsest lattices look for a way
+constexpr int tried_above = 2;    ///< counts above the lower bound for which a lattice looks for a way
+constexpr int far_above = 40;     ///< and how far the coarse ones look for where to begin
 
 }  // namespace
 
@@ -198,7 +288,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         return left;
     };
     const auto try_way = [&](const Left& left) {
-        std::vector<Path> way = way_within(question.place, h0, left, watch, bounds.updates);
+        std::vector<Path> way = WaySearch(question, left, watch, bounds.updates).way();
         if (way.empty()) return false;
         const int changes = changes_of(way);
         if (!bounds.upper || changes < *bounds.upper) {
@@ -218,15 +308,25 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
             if (!left) ++bounds.lower;
         }
         bounds.spacing = h;
-        for (int changes = bounds.lower; changes <= question.max_changes && changes < bounds.upper.value_or(changes + 1);
-             ++changes) {
-            if (changes > bounds.lower) {
-                if (changes > bounds.lower + (bounds.upper ? 2 : most_tried_above)) break;
-                left = left_with(changes);
-                while (left && left->h > 1.001 * h) left = refined(question.place, h0, *left, bounds, watch);
-                if (!left) continue;
-            }
-            if (try_way(*left)) break;
+        const auto left_for = [&](int changes) {
+            std::optional<Left> for_them = left_with(changes);
+            while (for_them && for_them->h > 1.001 * h) for_them = refined(question.place, h0, *for_them, bounds, watch);
+            return for_them;
+        };
+        if (try_way(*left)) return;
+        left.reset();
+        // None found with as few as the lower bound: how many may it take?
+        int changes = bounds.lower + 1;
+        if (!bounds.upper && h > 0.3 * h0) {
+            const OuterLattice all(question.place, h, h0, nullptr, watch);
+            const Limits& free = all.free();
+            const int most = std::min(question.max_changes, bounds.lower + far_above);
+            changes = std::max(changes, changes_along(question.place, h, h0, hull({&free}), most, watch, bounds.updates).value_or(most + 1));
+        }
+        const int most = std::min({question.max_changes, changes + tried_above, bounds.upper.value_or(question.max_changes + 1) - 1});
+        for (; changes <= most; ++changes) {
+            const std::optional<Left> more = left_for(changes);
+            if (more && try_way(*more)) break;
         }
         if (bounds.meet()) return;
     }

@@ -135,4 +135,21 @@ std::vector<std::vector<Point>> convex_pieces(const std::vector<Point>& corners)
     return pieces;
 }
 
+std::vector<Point> grown_polygon(const std::vector<Point>& corners, double by) {
+    std::vector<Point> grown;
+    const std::size_t n = corners.size();
+    const auto normal = [&](std::size_t i) {
+        const Point &from = corners[i % n], &to = corners[(i + 1) % n];
+        const double x = to.x - from.x, y = to.y - from.y, along = std::sqrt(x * x + y * y);
+        return Point{y / along, -x / along};
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        // Where the two edges that meet here meet then.
+        const Point a = normal(i + n - 1), b = normal(i);
+        const double share = by / (1.0 + a.x * b.x + a.y * b.y);
+        grown.push_back({corners[i].x + share * (a.x + b.x), corners[i].y + share * (a.y + b.y)});
+    }
+    return grown;
+}
+
 }  // namespace snug::detail

@@ -27,4 +27,7 @@ bool is_convex(const std::vector<Point>& corners);
 /// Convex pieces that together are the simple, counter-clockwise polygon.
 std::vector<std::vector<Point>> convex_pieces(const std::vector<Point>& corners);
 
+/// A convex, counter-clockwise polygon with every edge moved outward.
+std::vector<Point> grown_polygon(const std::vector<Point>& corners, double by);
+
 }  // namespace snug::detail
