@@ -43,17 +43,18 @@ InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const L
       start_sine_(angles::sin(place.start.heading)) {
     offset_ = static_cast<int>(std::floor(h0 / 3.0 / h));
     // A node in row s lies in a cell of row s + 2 offset and the same column.
-    spans_.first = cells.spans.first - 2 * offset_;
+    Spans spans;
+    spans.first = cells.spans.first - 2 * offset_;
     for (Span span : cells.spans.rows) {
-        const int row = spans_.first + static_cast<int>(spans_.rows.size());
+        const int row = spans.first + static_cast<int>(spans.rows.size());
         while (!span.empty() && sine(column_of(row, span.from)) < -steepest_sine) ++span.from;
         while (!span.empty() && sine(column_of(row, span.to)) > steepest_sine) --span.to;
-        spans_.rows.push_back(span);
+        spans.rows.push_back(span);
     }
-    spans_.store();
+    spans.store();
     int last_column = 0;
-    for (int row = spans_.first; row <= spans_.last(); ++row) {
-        const Span span = spans_.of(row);
+    for (int row = spans.first; row <= spans.last(); ++row) {
+        const Span span = spans.of(row);
         if (span.empty()) continue;
         first_column_ = std::min(first_column_, column_of(row, span.from));
         last_column = std::max(last_column, column_of(row, span.to));
@@ -67,11 +68,12 @@ InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const L
         columns.push_back(bands_at(place, s));
         watch();
     }
-    free_.of.resize(spans_.cells);
-    parked_.of.resize(spans_.cells);
+    free_.of.resize(spans.cells);
+    parked_.of.resize(spans.cells);
+    free_.spans = parked_.spans = spans;
     std::vector<Interval> taken;
-    for (int row = spans_.first; row <= spans_.last(); ++row) {
-        const Span span = spans_.of(row), of_cells = cells.spans.of(row + 2 * offset_);
+    for (int row = spans.first; row <= spans.last(); ++row) {
+        const Span span = spans.of(row), of_cells = cells.spans.of(row + 2 * offset_);
         const double here = x(row);
         for (int cell = span.from; cell <= span.to; ++cell) {
             const std::size_t node = span.at(cell), outer = of_cells.at(cell);
@@ -116,25 +118,44 @@ InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const L
 
 InnerSet InnerLattice::clipped(const Limits& limits) const {
     InnerSet set;
-    set.of.resize(spans_.cells);
+    int first = 0, last = -1;
+    for (const Layer& layer : limits) {
+        if (layer.spans.rows.empty()) continue;
+        first = first > last ? layer.spans.first : std::min(first, layer.spans.first);
+        last = std::max(last, layer.spans.last());
+    }
+    set.spans.first = first - 2 * offset_;
+    for (int row = first; row <= last; ++row) {
+        Span mine;
+        for (const Layer& layer : limits) {
+            const Span span = layer.spans.of(row);
+            if (span.empty()) continue;
+            mine.from = mine.empty() ? span.from : std::min(mine.from, span.from);
+            mine.to = std::max(mine.to, span.to);
+        }
+        const Span free = free_.spans.of(row - 2 * offset_);
+        mine.from = std::max(mine.from, free.from);
+        mine.to = std::min(mine.to, free.to);
+        set.spans.rows.push_back(mine);
+    }
+    set.spans.store();
+    set.of.resize(set.spans.cells);
     std::vector<Interval> found;
-    for (int row = spans_.first; row <= spans_.last(); ++row) {
-        const Span span = spans_.of(row);
+    for (int row = set.spans.first; row <= set.spans.last(); ++row) {
+        const Span span = set.spans.of(row), free_span = free_.spans.of(row);
         for (int cell = span.from; cell <= span.to; ++cell) {
-            const std::size_t node = span.at(cell);
-            set.of[node].begin = static_cast<std::uint32_t>(set.intervals.size());
             found.clear();
             for (const Layer& layer : limits) {
                 const Span cells = layer.spans.of(row + 2 * offset_);
                 if (cell < cells.from || cell > cells.to) continue;
                 const double low = layer.low[cells.at(cell)] * micro, high = layer.high[cells.at(cell)] * micro;
-                for (const Interval* free = free_.begin(node); free != free_.end(node); ++free) {
-                    const Interval both = {std::max(low, free->low), std::min(high, free->high)};
+                for (const Interval& free : free_.at(free_span, cell)) {
+                    const Interval both = {std::max(low, free.low), std::min(high, free.high)};
                     if (both.low <= both.high) found.push_back(both);
                 }
             }
             tidy(found);
-            set.of[node].count = static_cast<std::uint32_t>(found.size());
+            set.of[span.at(cell)] = {static_cast<std::uint32_t>(set.intervals.size()), static_cast<std::uint32_t>(found.size())};
             set.intervals.insert(set.intervals.end(), found.begin(), found.end());
         }
     }
@@ -144,73 +165,53 @@ InnerSet InnerLattice::clipped(const Limits& limits) const {
 InnerSet InnerLattice::sweep(const InnerSet& starts, const InnerSet& free, Direction direction,
                              const Watching& watch) const {
     InnerSet set;
-    set.of.resize(spans_.cells);
+    set.spans = free.spans;
+    set.of.resize(set.spans.cells);
     const bool forward = direction == Direction::forward;
     const int step = forward ? 1 : -1;
     std::vector<Interval> found;
-    const int rows = static_cast<int>(spans_.rows.size());
+    const int rows = static_cast<int>(set.spans.rows.size());
     for (int n = 0; n < rows; ++n) {
-        const int row = forward ? spans_.first + n : spans_.last() - n;
+        const int row = forward ? set.spans.first + n : set.spans.last() - n;
         if (n % 64 == 0) watch();
-        const Span span = spans_.of(row), before = spans_.of(row - step), before_that = spans_.of(row - 2 * step);
+        const Span span = set.spans.of(row), begin_span = starts.spans.of(row);
+        const Span before = set.spans.of(row - step), before_that = set.spans.of(row - 2 * step);
         for (int cell = span.from; cell <= span.to; ++cell) {
-            const std::size_t node = span.at(cell);
-            set.of[node].begin = static_cast<std::uint32_t>(set.intervals.size());
-            if (free.of[node].count == 0) continue;
+            const InnerSet::Range rooms = free.at(span, cell);
+            if (rooms.empty()) continue;
             ++updates;
             const int d = column_of(row, cell);
             found.clear();
             const auto add = [&](double low, double high) {
-                for (const Interval* room = free.begin(node); room != free.end(node); ++room) {
-                    const Interval both = {std::max(low, room->low), std::min(high, room->high)};
+                for (const Interval& room : rooms) {
+                    const Interval both = {std::max(low, room.low), std::min(high, room.high)};
                     if (both.low <= both.high) found.push_back(both);
                 }
             };
-            for (const Interval* begin = starts.begin(node); begin != starts.end(node); ++begin) add(begin->low, begin->high);
+            for (const Interval& begin : starts.at(begin_span, cell)) add(begin.low, begin.high);
             // From the column to the left the car keeps y + r cos forward, from the right y - r cos; backward the reverse.
             const double from_left = step * (level(d - 1) - level(d)), from_right = step * (level(d) - level(d + 1));
             const int left = cell_of(d - 1), right = cell_of(d + 1);
-            const bool has_left = left >= before.from && left <= before.to, has_right = right >= before.from && right <= before.to;
-            if (has_left) {
-                const std::size_t at = before.at(left);
-                for (const Interval* from = set.begin(at); from != set.end(at); ++from)
-                    add(from->low + from_left, from->high + from_left);
-            }
-            if (has_right) {
-                const std::size_t at = before.at(right);
-                for (const Interval* from = set.begin(at); from != set.end(at); ++from)
-                    add(from->low + from_right, from->high + from_right);
-            }
+            for (const Interval& from : set.at(before, left)) add(from.low + from_left, from.high + from_left);
+            for (const Interval& from : set.at(before, right)) add(from.low + from_right, from.high + from_right);
             // Across a cell: by way of one side, of the other, or turning off in between, where both are free.
-            if (has_left && has_right && cell >= before_that.from && cell <= before_that.to) {
-                const std::size_t at = before_that.at(cell), at_left = before.at(left), at_right = before.at(right);
-                const double to_left = step * (level(d - 1) - level(d)), to_right = step * (level(d) - level(d + 1));
-                const double least = std::min(from_left + to_left, from_right + to_right);
-                const double most = std::max(from_left + to_left, from_right + to_right);
-                for (const Interval* from = set.begin(at); from != set.end(at); ++from) {
-                    for (const Interval* one = free.begin(at_left); one != free.end(at_left); ++one) {
-                        for (const Interval* other = free.begin(at_right); other != free.end(at_right); ++other) {
-                            const double low = std::max({from->low, one->low - to_left, other->low - to_right});
-                            const double high = std::min({from->high, one->high - to_left, other->high - to_right});
-                            if (low <= high) add(low + least, high + most);
-                        }
+            const double least = 2.0 * std::min(from_left, from_right), most = 2.0 * std::max(from_left, from_right);
+            for (const Interval& from : set.at(before_that, cell)) {
+                for (const Interval& one : free.at(before, left)) {
+                    for (const Interval& other : free.at(before, right)) {
+                        const double low = std::max({from.low, one.low - from_left, other.low - from_right});
+                        const double high = std::min({from.high, one.high - from_left, other.high - from_right});
+                        if (low <= high) add(low + least, high + most);
                     }
                 }
             }
+            if (found.empty()) continue;
             tidy(found);
-            set.of[node].count = static_cast<std::uint32_t>(found.size());
+            set.of[span.at(cell)] = {static_cast<std::uint32_t>(set.intervals.size()), static_cast<std::uint32_t>(found.size())};
             set.intervals.insert(set.intervals.end(), found.begin(), found.end());
         }
     }
     return set;
-}
-
-bool InnerLattice::holds(const InnerSet& set, int row, int column, double y) const {
-    const std::optional<std::size_t> at = node(row, column);
-    if (!at) return false;
-    for (const Interval* interval = set.begin(*at); interval != set.end(*at); ++interval)
-        if (y >= interval->low && y <= interval->high) return true;
-    return false;
 }
 
 }  // namespace snug::detail::sets

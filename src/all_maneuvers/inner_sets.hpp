@@ -6,9 +6,9 @@
 // the car is parked, and a forward move of the car leaving is a backward move of the car parking.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "all_maneuvers/chart.hpp"
@@ -21,16 +21,35 @@ struct Interval {
     double low = 0.0, high = 0.0;
 };
 
-/// Intervals of y for every node of some spans.
+/// Intervals of y for nodes.
 struct InnerSet {
     struct Few {
         std::uint32_t begin = 0, count = 0;
     };
+    struct Range {
+        const Interval *first = nullptr, *last = nullptr;
+
+        [[nodiscard]] const Interval* begin() const { return first; }
+        [[nodiscard]] const Interval* end() const { return last; }
+        [[nodiscard]] bool empty() const { return first == last; }
+        /// How far y is inside one of them; negative outside.
+        [[nodiscard]] double room(double y) const {
+            double most = -1.0;
+            for (const Interval& interval : *this)
+                if (y >= interval.low && y <= interval.high) most = std::max(most, std::min(y - interval.low, interval.high - y));
+            return most;
+        }
+    };
+    Spans spans;
     std::vector<Few> of;
     std::vector<Interval> intervals;
 
-    [[nodiscard]] const Interval* begin(std::size_t node) const { return intervals.data() + of[node].begin; }
-    [[nodiscard]] const Interval* end(std::size_t node) const { return begin(node) + of[node].count; }
+    [[nodiscard]] Range at(const Span& span, int cell) const {
+        if (cell < span.from || cell > span.to) return {};
+        const Few few = of[span.at(cell)];
+        return {intervals.data() + few.begin, intervals.data() + few.begin + few.count};
+    }
+    [[nodiscard]] Range at(int row, int column) const { return at(spans.of(row), cell_of(column)); }
 };
 
 class InnerLattice {
@@ -44,7 +63,6 @@ public:
     [[nodiscard]] double sine(int column) const { return start_sine_ + column * sine_step_; }
     /// r cos(heading)
     [[nodiscard]] double level(int column) const { return level_[static_cast<std::size_t>(column - first_column_)]; }
-    [[nodiscard]] const Spans& spans() const { return spans_; }
     [[nodiscard]] const InnerSet& free() const { return free_; }
     [[nodiscard]] const InnerSet& parked() const { return parked_; }
 
@@ -53,15 +71,7 @@ public:
     /// Everything from which a move leads back to `starts`, within `free`.
     [[nodiscard]] InnerSet sweep(const InnerSet& starts, const InnerSet& free, Direction direction,
                                  const Watching& watch) const;
-    [[nodiscard]] bool holds(const InnerSet& set, int row, int column, double y) const;
-    [[nodiscard]] bool holds_start(const InnerSet& set) const { return holds(set, 0, 0, start_.y); }
-    /// Where a node's intervals are, if it is one.
-    [[nodiscard]] std::optional<std::size_t> node(int row, int column) const {
-        const Span span = spans_.of(row);
-        const int cell = cell_of(column);
-        if (cell < span.from || cell > span.to) return std::nullopt;
-        return span.at(cell);
-    }
+    [[nodiscard]] bool holds_start(const InnerSet& set) const { return set.at(0, 0).room(start_.y) >= 0.0; }
 
     mutable std::size_t updates = 0;
 
@@ -72,7 +82,6 @@ private:
     int offset_ = 0;  ///< the node (i, j) lies in the cell (i + offset, j + offset)
     int first_column_ = 0;
     std::vector<double> level_;
-    Spans spans_;
     InnerSet free_, parked_;
 };
 

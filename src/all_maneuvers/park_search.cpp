@@ -147,8 +147,10 @@ public:
             std::optional<Found> plain = find(0.0, last);
             if (!plain) continue;
             if (!question_.roomiest) {
-                std::vector<Path> way = drivable(*plain);
-                if (!way.empty()) return way;
+                for (const bool few_pieces : {true, false}) {
+                    std::vector<Path> way = drivable(*plain, few_pieces);
+                    if (!way.empty()) return way;
+                }
             }
             // The larger the car may be, the more distance the way keeps, and what is met between nodes shrinks.
             std::vector<Found> larger;
@@ -171,10 +173,11 @@ public:
                     too_large = middle;
                 }
             }
-            for (; !larger.empty(); larger.pop_back()) {
-                if (larger.size() == 1 && !question_.roomiest) break;
-                std::vector<Path> way = drivable(larger.back());
-                if (!way.empty()) return way;
+            for (const bool few_pieces : {true, false}) {
+                for (auto found = larger.rbegin(); found != larger.rend(); ++found) {
+                    std::vector<Path> way = drivable(*found, few_pieces);
+                    if (!way.empty()) return way;
+                }
             }
         }
         return {};
@@ -206,12 +209,10 @@ private:
         return found;
     }
 
-    std::vector<Path> drivable(const Found& found) {
-        std::vector<Path> way = way_of_few_pieces(found.lattice, found.chain, question_.place);
-        if (!way.empty() && is_drivable(question_.place, way)) return way;
-        way = way_by_steps(found.lattice, found.chain, question_.place);
-        if (!way.empty() && is_drivable(question_.place, way)) return way;
-        return {};
+    std::vector<Path> drivable(const Found& found, bool few_pieces) {
+        std::vector<Path> way = few_pieces ? way_of_few_pieces(found.lattice, found.chain, question_.place)
+                                           : way_by_steps(found.lattice, found.chain, question_.place);
+        return is_drivable(question_.place, way) ? way : std::vector<Path>{};
     }
 
     const ParkQuestion& question_;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <optional>
 
 #include "model/angles.hpp"
 
@@ -67,21 +67,40 @@ void drive_on(const InnerLattice& lattice, std::vector<Path>& way, Pose& pose, i
     pose = piece.at(piece.length);
 }
 
-double room_in(const InnerSet& set, std::size_t node, double y) {
-    double room = -1.0;
-    for (const Interval* interval = set.begin(node); interval != set.end(node); ++interval)
-        if (y >= interval->low && y <= interval->high) room = std::max(room, std::min(y - interval->low, interval->high - y));
-    return room;
-}
-
 /// The places one piece more leads to, for every node and steering of the last piece: of several the roomiest.
-struct Reached {
+class Reached {
+public:
     struct Place {
         double y = 0.0;
         float room = -1.0F;    ///< least on the way; negative: not reached
         std::int8_t from = 0;  ///< 3: the same piece goes on; else the steering of the piece before
     };
-    std::vector<std::array<Place, 3>> of;
+    using Places = std::array<Place, 3>;
+
+    explicit Reached(const Spans& spans) : spans_(spans), places_(spans.cells), live_(spans.rows.size()) {}
+
+    /// Cells of the row that anything was noted for.
+    [[nodiscard]] Span live(int row) const {
+        const int i = row - spans_.first;
+        return i < 0 || i >= static_cast<int>(live_.size()) ? Span{} : live_[static_cast<std::size_t>(i)];
+    }
+    [[nodiscard]] const Places& at(int row, int cell) const {
+        static constexpr Places nothing{};
+        const Span span = spans_.of(row);
+        return cell < span.from || cell > span.to ? nothing : places_[span.at(cell)];
+    }
+    void note(int row, int cell, Steering steering, const Place& place) {
+        Place& noted = places_[spans_.of(row).at(cell)][steering];
+        if (!(place.room > noted.room)) return;
+        noted = place;
+        Span& live = live_[static_cast<std::size_t>(row - spans_.first)];
+        live = live.empty() ? Span{cell, cell} : Span{std::min(live.from, cell), std::max(live.to, cell)};
+    }
+
+private:
+    Spans spans_;
+    std::vector<Places> places_;
+    std::vector<Span> live_;
 };
 
 constexpr std::size_t most_pieces = 7;
@@ -90,85 +109,68 @@ constexpr std::size_t most_pieces = 7;
 bool drive_move(const InnerLattice& lattice, const InnerSet& begins, const InnerSet& reaches, Direction leaving, At& at,
                 std::vector<Path>& way, Pose& pose) {
     const Stepper stepper(lattice, leaving);
-    const Spans& spans = lattice.spans();
     const Direction direction = leaving == Direction::forward ? Direction::backward : Direction::forward;
-    const std::optional<std::size_t> origin = lattice.node(at.row, at.column);
-    if (!origin) return false;
+    if (reaches.at(at.row, at.column).empty()) return false;
     std::vector<Reached> layers;
-    const int last_row = stepper.way > 0 ? spans.last() : spans.first;
+    const int beyond = stepper.way > 0 ? reaches.spans.last() + 1 : reaches.spans.first - 1;
     for (std::size_t pieces = 1; pieces <= most_pieces; ++pieces) {
-        layers.emplace_back();
+        layers.emplace_back(reaches.spans);
         Reached& now = layers.back();
-        now.of.resize(spans.cells);
         const Reached* before = pieces > 1 ? &layers[pieces - 2] : nullptr;
         struct Best {
             double score = -std::numeric_limits<double>::infinity();
-            int row = 0, column = 0;
+            At at;
             Steering steering = left;
         } best;
-        bool found = false;
-        const auto on = [&](int row, int column, std::size_t node) {
-            for (const Steering steering : {left, straight, right}) {
-                // The roomiest of going on and of turning to this steering here.
-                double y = 0.0;
-                float room = -1.0F;
-                std::int8_t from = 0;
-                const auto consider = [&](double other_y, float other_room, std::int8_t other_from) {
-                    if (other_room > room) {
-                        y = other_y;
-                        room = other_room;
-                        from = other_from;
-                    }
-                };
-                const Reached::Place& here = now.of[node][steering];
-                consider(here.y, here.room, 3);
-                if (before) {
-                    for (std::int8_t other = 0; other < 3; ++other) {
-                        const Reached::Place& place = before->of[node][static_cast<std::size_t>(other)];
-                        if (other != steering) consider(place.y, place.room, other);
-                    }
-                } else if (node == *origin) {
-                    consider(at.y, 1e6F, 0);
-                }
-                if (room < 0.0F) continue;
-                const At next = stepper.from({row, column, y}, steering);
-                const std::optional<std::size_t> there = lattice.node(next.row, next.column);
-                if (!there || room_in(reaches, *there, next.y) < 0.0) continue;
-                const auto new_room = std::min(room, static_cast<float>(room_in(lattice.free(), *there, next.y)));
-                Reached::Place& place = now.of[*there][steering];
-                if (new_room > place.room) place = {next.y, new_room, from};
+        for (int row = at.row; row != beyond; row += stepper.way) {
+            // The rows ahead are filled from this one.
+            Span span = now.live(row);
+            if (before) {
+                const Span other = before->live(row);
+                if (!other.empty()) span = span.empty() ? other : Span{std::min(span.from, other.from), std::max(span.to, other.to)};
+            } else if (row == at.row) {
+                span = {cell_of(at.column), cell_of(at.column)};
             }
-        };
-        for (int row = at.row; row != last_row + stepper.way; row += stepper.way) {
-            const Span span = spans.of(row);
             for (int cell = span.from; cell <= span.to; ++cell) {
-                const std::size_t node = span.at(cell);
+                const int column = column_of(row, cell);
+                const Reached::Places& places = now.at(row, cell);
                 for (const Steering steering : {left, straight, right}) {
-                    const Reached::Place& place = now.of[node][steering];
-                    if (place.room < 0.0F) continue;
-                    const double deep = room_in(begins, node, place.y);
-                    if (deep < 0.0) continue;
-                    const double far = std::abs(row - at.row) * lattice.h() / 2.0;
-                    const double score = std::min(static_cast<double>(place.room), 0.3) + std::min(deep, 0.05) - 0.01 * far;
-                    if (score > best.score) best = {score, row, column_of(row, cell), steering};
-                    found = true;
+                    const Reached::Place& place = places[steering];
+                    if (place.room >= 0.0F) {
+                        const double deep = begins.at(row, column).room(place.y);
+                        const double far = std::abs(row - at.row) * lattice.h() / 2.0;
+                        const double score = std::min(static_cast<double>(place.room), 0.3) + std::min(deep, 0.05) - 0.01 * far;
+                        if (deep >= 0.0 && score > best.score) best = {score, {row, column, place.y}, steering};
+                    }
+                    // The roomiest of going on and of turning to this steering here.
+                    Reached::Place from = {place.y, place.room, 3};
+                    if (before) {
+                        for (const Steering other : {left, straight, right}) {
+                            const Reached::Place& turning = before->at(row, cell)[other];
+                            if (other != steering && turning.room > from.room) from = {turning.y, turning.room, static_cast<std::int8_t>(other)};
+                        }
+                    } else if (row == at.row) {
+                        from = {at.y, 1e6F, 0};
+                    }
+                    if (from.room < 0.0F) continue;
+                    const At next = stepper.from({row, column, from.y}, steering);
+                    if (reaches.at(next.row, next.column).room(next.y) < 0.0) continue;
+                    const auto room = static_cast<float>(lattice.free().at(next.row, next.column).room(next.y));
+                    now.note(next.row, cell_of(next.column), steering, {next.y, std::min(from.room, room), from.from});
                 }
-                on(row, column_of(row, cell), node);
             }
         }
-        if (!found) continue;
+        if (!(best.score > -1e9)) continue;
         // Back to the origin.
         struct Run {
             Steering steering;
             int steps;
         };
         std::vector<Run> runs;
-        At end = {best.row, best.column, 0.0};
-        end.y = now.of[*lattice.node(end.row, end.column)][best.steering].y;
-        At back = end;
+        At back = best.at;
         Steering steering = best.steering;
         for (std::size_t layer = pieces; layer > 0;) {
-            const Reached::Place& place = layers[layer - 1].of[*lattice.node(back.row, back.column)][steering];
+            const Reached::Place& place = layers[layer - 1].at(back.row, cell_of(back.column))[steering];
             if (runs.empty() || runs.back().steering != steering) runs.push_back({steering, 0});
             ++runs.back().steps;
             back.row -= steering == straight ? 2 * stepper.way : stepper.way;
@@ -180,7 +182,7 @@ bool drive_move(const InnerLattice& lattice, const InnerSet& begins, const Inner
         int column = at.column;
         for (auto run = runs.rbegin(); run != runs.rend(); ++run)
             drive_on(lattice, way, pose, column, run->steering, run->steps, direction);
-        at = end;
+        at = best.at;
         return true;
     }
     return false;
@@ -193,8 +195,8 @@ std::vector<Path> way_of_few_pieces(const InnerLattice& lattice, const InnerChai
     Pose pose = place.start;
     At at = {0, 0, place.start.y};
     for (std::size_t k = chain.reaches.size(); k-- > 0;) {
-        if (lattice.holds(chain.begins[k], at.row, at.column, at.y) && k > 0) continue;  // this move is not needed
-        if (k == 0 && lattice.holds(chain.begins[0], at.row, at.column, at.y)) break;
+        if (chain.begins[k].at(at.row, at.column).room(at.y) >= 0.0 && k > 0) continue;  // this move is not needed
+        if (k == 0 && chain.begins[0].at(at.row, at.column).room(at.y) >= 0.0) break;
         if (!drive_move(lattice, chain.begins[k], chain.reaches[k], chain.direction(k), at, way, pose)) return {};
     }
     return way;
@@ -209,28 +211,23 @@ std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& ch
         const Direction direction = leaving == Direction::forward ? Direction::backward : Direction::forward;
         const Stepper stepper(lattice, leaving);
         const InnerSet &begins = chain.begins[k], &reaches = chain.reaches[k];
-        while (!lattice.holds(begins, at.row, at.column, at.y)) {
-            const auto room_at = [&](const At& next) {
-                const std::optional<std::size_t> node = lattice.node(next.row, next.column);
-                return node ? room_in(reaches, *node, next.y) : -1.0;
-            };
+        while (begins.at(at.row, at.column).room(at.y) < 0.0) {
+            const auto room_at = [&](const At& next) { return reaches.at(next.row, next.column).room(next.y); };
             const At to_left = stepper.from(at, left), to_right = stepper.from(at, right);
             const double left_room = room_at(to_left), right_room = room_at(to_right);
             // Across the cell, turning off after a part of the first arc: what that gains depends on where.
             At across = {at.row + 2 * stepper.way, at.column, at.y};
             double across_room = -1.0;
             const double one = 2.0 * (to_left.y - at.y), other = 2.0 * (to_right.y - at.y);
-            if (const std::optional<std::size_t> node = lattice.node(across.row, across.column)) {
-                const double low = at.y + std::min(one, other), high = at.y + std::max(one, other);
-                for (const Interval* interval = reaches.begin(*node); interval != reaches.end(*node); ++interval) {
-                    const double from = std::max(low, interval->low), to = std::min(high, interval->high);
-                    if (from > to) continue;
-                    const double y = std::clamp((interval->low + interval->high) / 2.0, from, to);
-                    const double room = std::min(y - interval->low, interval->high - y);
-                    if (room > across_room) {
-                        across_room = room;
-                        across.y = y;
-                    }
+            for (const Interval& interval : reaches.at(across.row, across.column)) {
+                const double from = std::max(at.y + std::min(one, other), interval.low);
+                const double to = std::min(at.y + std::max(one, other), interval.high);
+                if (from > to) continue;
+                const double y = std::clamp((interval.low + interval.high) / 2.0, from, to);
+                const double room = std::min(y - interval.low, interval.high - y);
+                if (room > across_room) {
+                    across_room = room;
+                    across.y = y;
                 }
             }
             if (left_room < 0.0 && right_room < 0.0 && across_room < 0.0) return {};
@@ -326,6 +323,7 @@ bool is_parked(const ChartPlace& place, const Pose& pose) {
 }  // namespace
 
 bool is_drivable(const ChartPlace& place, const std::vector<Path>& way) {
+    if (way.empty() && !is_parked(place, place.start)) return false;
     Pose end = place.start;
     for (const ChartPlace::Solid& solid : place.solids)
         if (overlap(placed(solid.low ? place.wheels : place.body, place.start), solid.corners) > touch) return false;
