@@ -147,10 +147,8 @@ public:
             std::optional<Found> plain = find(0.0, last);
             if (!plain) continue;
             if (!question_.roomiest) {
-                for (const bool few_pieces : {true, false}) {
-                    std::vector<Path> way = drivable(*plain, few_pieces);
-                    if (!way.empty()) return way;
-                }
+                std::vector<Path> way = drivable(*plain);
+                if (!way.empty()) return way;
             }
             // The larger the car may be, the more distance the way keeps, and what is met between nodes shrinks.
             std::vector<Found> larger;
@@ -173,11 +171,9 @@ public:
                     too_large = middle;
                 }
             }
-            for (const bool few_pieces : {true, false}) {
-                for (auto found = larger.rbegin(); found != larger.rend(); ++found) {
-                    std::vector<Path> way = drivable(*found, few_pieces);
-                    if (!way.empty()) return way;
-                }
+            for (auto found = larger.rbegin(); found != larger.rend(); ++found) {
+                std::vector<Path> way = drivable(*found);
+                if (!way.empty()) return way;
             }
         }
         return {};
@@ -209,10 +205,15 @@ private:
         return found;
     }
 
-    std::vector<Path> drivable(const Found& found, bool few_pieces) {
-        std::vector<Path> way = few_pieces ? way_of_few_pieces(found.lattice, found.chain, question_.place)
-                                           : way_by_steps(found.lattice, found.chain, question_.place);
-        return is_drivable(question_.place, way) ? way : std::vector<Path>{};
+    /// Few pieces that keep as much distance as the steps along the lattice do; empty if these meet something.
+    std::vector<Path> drivable(const Found& found) {
+        const std::vector<Path> steps = way_by_steps(found.lattice, found.chain, question_.place);
+        if (!is_drivable(question_.place, steps)) return {};
+        for (double keeps = found.grown; keeps > smallest / 2.0; keeps /= 2.0) {
+            const ChartPlace wary = with_grown_car(question_.place, keeps);
+            if (is_drivable(wary, steps)) return with_few_pieces(wary, steps);
+        }
+        return with_few_pieces(question_.place, steps);
     }
 
     const ParkQuestion& question_;

@@ -1,8 +1,8 @@
 #include "all_maneuvers/route.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -20,6 +20,9 @@ struct At {
     int row = 0, column = 0;
     double y = 0.0;
 };
+
+constexpr double worth_a_step = 1e-4;  ///< of room [m]
+constexpr double enough_room = 0.05;   ///< to end a move [m]
 
 /// Steps from a node towards the parked poses. A step of full steering leads to the row beside, a straight one across a cell.
 struct Stepper {
@@ -67,140 +70,7 @@ void drive_on(const InnerLattice& lattice, std::vector<Path>& way, Pose& pose, i
     pose = piece.at(piece.length);
 }
 
-/// The places one piece more leads to, for every node and steering of the last piece: of several the roomiest.
-class Reached {
-public:
-    struct Place {
-        double y = 0.0;
-        float room = -1.0F;    ///< least on the way; negative: not reached
-        std::int8_t from = 0;  ///< 3: the same piece goes on; else the steering of the piece before
-    };
-    using Places = std::array<Place, 3>;
-
-    explicit Reached(const Spans& spans) : spans_(spans), places_(spans.cells), live_(spans.rows.size()) {}
-
-    /// Cells of the row that anything was noted for.
-    [[nodiscard]] Span live(int row) const {
-        const int i = row - spans_.first;
-        return i < 0 || i >= static_cast<int>(live_.size()) ? Span{} : live_[static_cast<std::size_t>(i)];
-    }
-    [[nodiscard]] const Places& at(int row, int cell) const {
-        static constexpr Places nothing{};
-        const Span span = spans_.of(row);
-        return cell < span.from || cell > span.to ? nothing : places_[span.at(cell)];
-    }
-    void note(int row, int cell, Steering steering, const Place& place) {
-        Place& noted = places_[spans_.of(row).at(cell)][steering];
-        if (!(place.room > noted.room)) return;
-        noted = place;
-        Span& live = live_[static_cast<std::size_t>(row - spans_.first)];
-        live = live.empty() ? Span{cell, cell} : Span{std::min(live.from, cell), std::max(live.to, cell)};
-    }
-
-private:
-    Spans spans_;
-    std::vector<Places> places_;
-    std::vector<Span> live_;
-};
-
-constexpr std::size_t most_pieces = 7;
-
-/// Drives one move; false when it finds no way of few pieces.
-bool drive_move(const InnerLattice& lattice, const InnerSet& begins, const InnerSet& reaches, Direction leaving, At& at,
-                std::vector<Path>& way, Pose& pose) {
-    const Stepper stepper(lattice, leaving);
-    const Direction direction = leaving == Direction::forward ? Direction::backward : Direction::forward;
-    if (reaches.at(at.row, at.column).empty()) return false;
-    std::vector<Reached> layers;
-    const int beyond = stepper.way > 0 ? reaches.spans.last() + 1 : reaches.spans.first - 1;
-    for (std::size_t pieces = 1; pieces <= most_pieces; ++pieces) {
-        layers.emplace_back(reaches.spans);
-        Reached& now = layers.back();
-        const Reached* before = pieces > 1 ? &layers[pieces - 2] : nullptr;
-        struct Best {
-            double score = -std::numeric_limits<double>::infinity();
-            At at;
-            Steering steering = left;
-        } best;
-        for (int row = at.row; row != beyond; row += stepper.way) {
-            // The rows ahead are filled from this one.
-            Span span = now.live(row);
-            if (before) {
-                const Span other = before->live(row);
-                if (!other.empty()) span = span.empty() ? other : Span{std::min(span.from, other.from), std::max(span.to, other.to)};
-            } else if (row == at.row) {
-                span = {cell_of(at.column), cell_of(at.column)};
-            }
-            for (int cell = span.from; cell <= span.to; ++cell) {
-                const int column = column_of(row, cell);
-                const Reached::Places& places = now.at(row, cell);
-                for (const Steering steering : {left, straight, right}) {
-                    const Reached::Place& place = places[steering];
-                    if (place.room >= 0.0F) {
-                        const double deep = begins.at(row, column).room(place.y);
-                        const double far = std::abs(row - at.row) * lattice.h() / 2.0;
-                        const double score = std::min(static_cast<double>(place.room), 0.3) + std::min(deep, 0.05) - 0.01 * far;
-                        if (deep >= 0.0 && score > best.score) best = {score, {row, column, place.y}, steering};
-                    }
-                    // The roomiest of going on and of turning to this steering here.
-                    Reached::Place from = {place.y, place.room, 3};
-                    if (before) {
-                        for (const Steering other : {left, straight, right}) {
-                            const Reached::Place& turning = before->at(row, cell)[other];
-                            if (other != steering && turning.room > from.room) from = {turning.y, turning.room, static_cast<std::int8_t>(other)};
-                        }
-                    } else if (row == at.row) {
-                        from = {at.y, 1e6F, 0};
-                    }
-                    if (from.room < 0.0F) continue;
-                    const At next = stepper.from({row, column, from.y}, steering);
-                    if (reaches.at(next.row, next.column).room(next.y) < 0.0) continue;
-                    const auto room = static_cast<float>(lattice.free().at(next.row, next.column).room(next.y));
-                    now.note(next.row, cell_of(next.column), steering, {next.y, std::min(from.room, room), from.from});
-                }
-            }
-        }
-        if (!(best.score > -1e9)) continue;
-        // Back to the origin.
-        struct Run {
-            Steering steering;
-            int steps;
-        };
-        std::vector<Run> runs;
-        At back = best.at;
-        Steering steering = best.steering;
-        for (std::size_t layer = pieces; layer > 0;) {
-            const Reached::Place& place = layers[layer - 1].at(back.row, cell_of(back.column))[steering];
-            if (runs.empty() || runs.back().steering != steering) runs.push_back({steering, 0});
-            ++runs.back().steps;
-            back.row -= steering == straight ? 2 * stepper.way : stepper.way;
-            back.column -= steering == straight ? 0 : steering == left ? stepper.way : -stepper.way;
-            if (place.from == 3) continue;
-            steering = static_cast<Steering>(place.from);
-            --layer;
-        }
-        int column = at.column;
-        for (auto run = runs.rbegin(); run != runs.rend(); ++run)
-            drive_on(lattice, way, pose, column, run->steering, run->steps, direction);
-        at = best.at;
-        return true;
-    }
-    return false;
-}
-
 }  // namespace
-
-std::vector<Path> way_of_few_pieces(const InnerLattice& lattice, const InnerChain& chain, const ChartPlace& place) {
-    std::vector<Path> way;
-    Pose pose = place.start;
-    At at = {0, 0, place.start.y};
-    for (std::size_t k = chain.reaches.size(); k-- > 0;) {
-        if (chain.begins[k].at(at.row, at.column).room(at.y) >= 0.0 && k > 0) continue;  // this move is not needed
-        if (k == 0 && chain.begins[0].at(at.row, at.column).room(at.y) >= 0.0) break;
-        if (!drive_move(lattice, chain.begins[k], chain.reaches[k], chain.direction(k), at, way, pose)) return {};
-    }
-    return way;
-}
 
 std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& chain, const ChartPlace& place) {
     std::vector<Path> way;
@@ -211,15 +81,18 @@ std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& ch
         const Direction direction = leaving == Direction::forward ? Direction::backward : Direction::forward;
         const Stepper stepper(lattice, leaving);
         const InnerSet &begins = chain.begins[k], &reaches = chain.reaches[k];
-        while (begins.at(at.row, at.column).room(at.y) < 0.0) {
-            const auto room_at = [&](const At& next) { return reaches.at(next.row, next.column).room(next.y); };
+        for (;;) {
+            // Where the next move can begin this one may end; it goes on as long as that gives more room.
+            const double room_here = begins.at(at.row, at.column).room(at.y);
+            const InnerSet& towards = room_here < 0.0 ? reaches : begins;
+            const auto room_at = [&](const At& next) { return towards.at(next.row, next.column).room(next.y); };
             const At to_left = stepper.from(at, left), to_right = stepper.from(at, right);
             const double left_room = room_at(to_left), right_room = room_at(to_right);
             // Across the cell, turning off after a part of the first arc: what that gains depends on where.
             At across = {at.row + 2 * stepper.way, at.column, at.y};
             double across_room = -1.0;
             const double one = 2.0 * (to_left.y - at.y), other = 2.0 * (to_right.y - at.y);
-            for (const Interval& interval : reaches.at(across.row, across.column)) {
+            for (const Interval& interval : towards.at(across.row, across.column)) {
                 const double from = std::max(at.y + std::min(one, other), interval.low);
                 const double to = std::min(at.y + std::max(one, other), interval.high);
                 if (from > to) continue;
@@ -230,7 +103,9 @@ std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& ch
                     across.y = y;
                 }
             }
-            if (left_room < 0.0 && right_room < 0.0 && across_room < 0.0) return {};
+            const double most = std::max({left_room, right_room, across_room});
+            if (room_here >= 0.0 && (room_here > enough_room || most <= room_here + worth_a_step)) break;
+            if (most < 0.0) return {};
             int column = at.column;
             if (left_room >= right_room && left_room >= across_room) {
                 drive_on(lattice, way, pose, column, left, 1, direction);
@@ -322,19 +197,158 @@ bool is_parked(const ChartPlace& place, const Pose& pose) {
 
 }  // namespace
 
+namespace {
+
+bool is_free(const ChartPlace& place, const Path& piece) {
+    for (const HalfPlane& edge : place.region)
+        if (farthest_along(piece, edge.normal) > edge.offset + 1e-6) return false;
+    for (const ChartPlace::Solid& solid : place.solids)
+        if (first_contact(solid.low ? place.wheels : place.body, piece, solid.corners, touch) < piece.length) return false;
+    return true;
+}
+
+}  // namespace
+
 bool is_drivable(const ChartPlace& place, const std::vector<Path>& way) {
-    if (way.empty() && !is_parked(place, place.start)) return false;
-    Pose end = place.start;
     for (const ChartPlace::Solid& solid : place.solids)
         if (overlap(placed(solid.low ? place.wheels : place.body, place.start), solid.corners) > touch) return false;
-    for (const Path& piece : way) {
-        for (const HalfPlane& edge : place.region)
-            if (farthest_along(piece, edge.normal) > edge.offset + 1e-6) return false;
-        for (const ChartPlace::Solid& solid : place.solids)
-            if (first_contact(solid.low ? place.wheels : place.body, piece, solid.corners, touch) < piece.length) return false;
-        end = piece.at(piece.length);
+    for (const Path& piece : way)
+        if (!is_free(place, piece)) return false;
+    return is_parked(place, way.empty() ? place.start : way.back().at(way.back().length));
+}
+
+namespace {
+
+constexpr double full_turn = 6.283185307179586;
+
+double turned_left(double angle) {
+    const double left_over = std::remainder(angle, full_turn);
+    return left_over < 0.0 ? left_over + full_turn : left_over;
+}
+
+/// Ways of an arc, a straight line and an arc from one pose to another, driven forward or backward (Dubins 1957), the
+/// shortest first.
+std::vector<std::vector<Path>> ways_between(const Pose& from, const Pose& to, double way, double radius) {
+    // Backward is forward for a car that looks the other way: left stays left of the car, but turns the other way round.
+    const auto [s, c] = angles::sine_cosine(from.heading);
+    const double dx = (to.x - from.x) * way, dy = to.y - from.y;
+    const double ahead = (dx * c * 1.0 + way * dy * s) / radius;
+    const double aside = ((to.y - from.y) * c - (to.x - from.x) * s) / radius;
+    const double turn = way * (to.heading - from.heading);
+    // Now as if forward from the origin along x, with radius 1; mirrored in x the sense of left is kept.
+    struct Found {
+        double first, middle, last, first_sense, last_sense;
+    };
+    std::vector<Found> found;
+    for (const double one : {1.0, -1.0}) {
+        for (const double other : {1.0, -1.0}) {
+            // Centres at (0, one) and where the last arc has its own.
+            const auto [ts, tc] = angles::sine_cosine(turn);
+            const double x = ahead - other * ts, y = aside + other * tc - one;
+            const double apart = angles::hypot(x, y);
+            double middle = apart, heading = angles::atan2(y, x);
+            if (one != other) {
+                if (apart < 2.0) continue;
+                middle = std::sqrt((apart - 2.0) * (apart + 2.0));
+                heading += one * angles::atan2(2.0, middle);
+            } else if (apart < 1e-12) {
+                heading = turn;
+            }
+            const double first = turned_left(one * heading), last = turned_left(other * (turn - heading));
+            found.push_back({first < full_turn - 1e-9 ? first : 0.0, middle, last < full_turn - 1e-9 ? last : 0.0, one, other});
+        }
     }
-    return is_parked(place, end);
+    std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+        return a.first + a.middle + a.last < b.first + b.middle + b.last;
+    });
+    std::vector<std::vector<Path>> ways;
+    for (const Found& of : found) {
+        if (of.first > 2.5 || of.last > 2.5) continue;
+        std::vector<Path> pieces;
+        Pose at = from;
+        const auto add = [&](double curvature, double length) {
+            if (!(length > 1e-9)) return;
+            pieces.push_back({at, curvature, way, length});
+            at = pieces.back().at(length);
+        };
+        add(of.first_sense / radius, of.first * radius);
+        add(0.0, of.middle * radius);
+        add(of.last_sense / radius, of.last * radius);
+        const double off = std::abs(at.x - to.x) + std::abs(at.y - to.y) + std::abs(at.heading - to.heading);
+        if (off < 1e-7 && !pieces.empty()) ways.push_back(std::move(pieces));
+    }
+    return ways;
+}
+
+bool stays_in_chart(const std::vector<Path>& way) {
+    for (const Path& piece : way)
+        if (std::abs(angles::sin(piece.at(piece.length).heading)) > steepest_sine ||
+            std::abs(piece.at(piece.length).heading) > full_turn / 4.0)
+            return false;
+    return true;
+}
+
+}  // namespace
+
+std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Path>& way) {
+    std::vector<Path> few;
+    for (std::size_t begin = 0; begin < way.size();) {
+        std::size_t end = begin;
+        while (end < way.size() && way[end].way == way[begin].way) ++end;
+        // Poses 0 to n of this move; a stretch from one to another is replaced if that meets nothing.
+        std::vector<Path> move(way.begin() + static_cast<std::ptrdiff_t>(begin), way.begin() + static_cast<std::ptrdiff_t>(end));
+        const std::size_t n = move.size();
+        const auto pose = [&](std::size_t i) { return i < n ? move[i].start : move.back().at(move.back().length); };
+        Pose at = pose(0);
+        const auto shortcut = [&](std::size_t to) {
+            for (std::vector<Path>& pieces : ways_between(at, pose(to), way[begin].way, place.radius)) {
+                if (!stays_in_chart(pieces)) continue;
+                if (std::all_of(pieces.begin(), pieces.end(), [&](const Path& piece) { return is_free(place, piece); })) return pieces;
+            }
+            return std::vector<Path>{};
+        };
+        for (std::size_t i = 0; i < n;) {
+            std::vector<Path> best;
+            std::size_t reached = i;
+            // The whole rest, or else as far as doubling and then halving of the step leads.
+            std::size_t step = n - i;
+            best = shortcut(n);
+            if (!best.empty()) {
+                reached = n;
+            } else {
+                for (step = 1; i + step < n; step *= 2) {
+                    std::vector<Path> pieces = shortcut(i + step);
+                    if (pieces.empty()) break;
+                    best = std::move(pieces);
+                    reached = i + step;
+                }
+                for (; step > 0; step /= 2) {
+                    if (reached + step >= n) continue;
+                    std::vector<Path> pieces = shortcut(reached + step);
+                    if (pieces.empty()) continue;
+                    best = std::move(pieces);
+                    reached += step;
+                }
+            }
+            if (best.empty()) {  // as it was
+                best = {move[i]};
+                best[0].start = at;
+                reached = i + 1;
+            }
+            for (Path piece : best) {
+                piece.start = at;
+                if (!few.empty() && few.back().way == piece.way && few.back().curvature == piece.curvature) {
+                    few.back().length += piece.length;
+                } else {
+                    few.push_back(piece);
+                }
+                at = few.back().at(few.back().length);
+            }
+            i = reached;
+        }
+        begin = end;
+    }
+    return few;
 }
 
 }  // namespace snug::detail::sets

@@ -1,4 +1,4 @@
-// From sets of y to a way to drive: of few arcs and straight lines along the lattice, from the very start.
+// From sets of y to a way to drive, from the very start: few arcs and straight lines, each checked by exact contact.
 #pragma once
 
 #include <vector>
@@ -21,12 +21,13 @@ struct InnerChain {
     }
 };
 
-/// Pieces with constant steering in the chart, as driven when parking; empty where no way is found. Of ways with equally few
-/// pieces in a move the one that keeps away from the ends of free intervals.
-std::vector<Path> way_of_few_pieces(const InnerLattice& lattice, const InnerChain& chain, const ChartPlace& place);
-
-/// The way through the middle of the sets, with a piece for every step.
+/// A way in the chart, as driven when parking, with pieces of constant steering for every step: through the middle of the
+/// sets. It may meet something between the nodes.
 std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& chain, const ChartPlace& place);
+
+/// The same moves with few pieces: as far as nothing is in the way, each stretch becomes the shortest way between its ends,
+/// which is an arc, a straight line and an arc.
+std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Path>& way);
 
 /// Whether nothing is met, the region is not left and the car is parked at the end.
 bool is_drivable(const ChartPlace& place, const std::vector<Path>& way);
