@@ -106,22 +106,21 @@ std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coar
     bounds.updates += std::exchange(lattice.updates, 0);
     if (!reached) return std::nullopt;
     // Driving forward when leaving is driving backward when parking, and move k is the last but k.
-    for (const Direction direction : both_directions) in.of(direction).resize(moves);
+    Left left;
+    left.h = h;
+    for (const Direction direction : both_directions) left.moves.of(direction).resize(moves);
     for (std::size_t k = moves; k-- > 0;) {
+        BothWays<Pairs> now;
         for (const Direction direction : both_directions) {
             const Limits& mine = limits.of(other(direction))[k];
             Pairs pairs = k + 1 == moves ? lattice.begin_at_start(mine, direction)
-                                         : lattice.turn(in.of(other(direction))[k + 1], limits.of(direction)[k + 1], mine, direction);
+                                         : lattice.turn(in.of(other(direction)).front(), limits.of(direction)[k + 1], mine, direction);
             lattice.sweep(pairs, mine, direction, watch);
-            in.of(direction)[k] = std::move(pairs);
+            left.moves.of(other(direction))[k] = lattice.common(out.of(other(direction))[k], other(direction), pairs, mine);
+            now.of(direction).push_back(std::move(pairs));
         }
+        in = std::move(now);
     }
-    Left left;
-    left.h = h;
-    for (const Direction direction : both_directions)
-        for (std::size_t k = 0; k < moves; ++k)
-            left.moves.of(direction).push_back(
-                lattice.common(out.of(direction)[k], direction, in.of(other(direction))[k], limits.of(direction)[k]));
     left.hull_of_all = hull_of(left.moves);
     bounds.updates += lattice.updates;
     return left;
@@ -141,42 +140,42 @@ public:
     WaySearch(const ParkQuestion& asked, const Left& left_moves, const Watching& watch, std::size_t& counted)
         : question_(asked), left_(left_moves), watch_(watch), updates_(counted) {}
 
-    /// One that can be driven; empty if none is found.
-    std::vector<Path> way() {
+    /// Any that can be driven; empty if none is found.
+    std::vector<Path> any() {
         for (const Direction last : both_directions) {
-            std::optional<Found> plain = find(0.0, last);
-            if (!plain) continue;
-            if (!question_.roomiest) {
-                std::vector<Path> way = drivable(*plain);
-                if (!way.empty()) return way;
-            }
-            // The larger the car may be, the more distance the way keeps, and what is met between nodes shrinks.
-            std::vector<Found> larger;
-            larger.push_back(std::move(*plain));
-            double too_large = largest;
-            for (double by = smallest; by < largest; by *= 3.0) {
-                std::optional<Found> found = find(by, last);
-                if (!found) {
-                    too_large = by;
-                    break;
-                }
-                larger.push_back(std::move(*found));
-            }
-            for (int i = 0; i < 3; ++i) {
-                const double middle = (larger.back().grown + too_large) / 2.0;
-                std::optional<Found> found = find(middle, last);
-                if (found) {
-                    larger.push_back(std::move(*found));
-                } else {
-                    too_large = middle;
-                }
-            }
-            for (auto found = larger.rbegin(); found != larger.rend(); ++found) {
+            // What is met between nodes shrinks for a car that is a little larger.
+            for (const double by : {0.0, left_.h / 32.0, left_.h / 8.0, left_.h / 4.0, left_.h / 2.0}) {
+                const std::optional<Found> found = find(by, last);
+                if (!found) break;
                 std::vector<Path> way = drivable(*found);
                 if (!way.empty()) return way;
             }
         }
         return {};
+    }
+
+    /// One that keeps a distance: that of the largest car that gets through. Empty if none is found.
+    std::vector<Path> roomiest() {
+        std::optional<Found> best;
+        double too_large = largest;
+        for (double by = smallest; by < largest; by *= 3.0) {
+            std::optional<Found> found = find_either(by);
+            if (!found) {
+                too_large = by;
+                break;
+            }
+            best = std::move(found);
+        }
+        for (int i = 0; best && i < 3; ++i) {
+            const double middle = (best->grown + too_large) / 2.0;
+            std::optional<Found> found = find(middle, best->chain.last);
+            if (found) {
+                best = std::move(found);
+            } else {
+                too_large = middle;
+            }
+        }
+        return best ? drivable(*best) : std::vector<Path>{};
     }
 
 private:
@@ -187,6 +186,12 @@ private:
         InnerLattice lattice;
         InnerChain chain;
     };
+
+    std::optional<Found> find_either(double grown) {
+        for (const Direction last : both_directions)
+            if (std::optional<Found> found = find(grown, last)) return found;
+        return std::nullopt;
+    }
 
     std::optional<Found> find(double grown, Direction last) {
         const ChartPlace place = with_grown_car(question_.place, grown);
@@ -290,7 +295,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         return left;
     };
     const auto try_way = [&](const Left& left) {
-        std::vector<Path> way = WaySearch(question, left, watch, bounds.updates).way();
+        std::vector<Path> way = WaySearch(question, left, watch, bounds.updates).any();
         if (way.empty()) return false;
         const int changes = changes_of(way);
         if (!bounds.upper || changes < *bounds.upper) {
