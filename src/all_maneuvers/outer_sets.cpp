@@ -78,9 +78,8 @@ Layer hull(const std::vector<const Limits*>& several) {
 
 OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch)
     : h_(h), radius_(place.radius), sine_step_(h / (2.0 * place.radius)), start_(place.start) {
-    start_sine_ = angles::sin(place.start.heading);
     x0_ = place.start.x - h0 / 3.0 + h / 2.0;
-    sine0_ = start_sine_;
+    sine0_ = angles::sin(place.start.heading);
     first_column_ = static_cast<int>(std::floor((-steepest_sine - sine0_) / sine_step_ - 1.0)) - 1;
     last_column_ = static_cast<int>(std::ceil((steepest_sine - sine0_) / sine_step_ + 1.0)) + 1;
     number_columns();
@@ -102,15 +101,16 @@ void OuterLattice::number_columns() {
     };
     // Most of r cos - (a - a_i) T_hi.
     const auto z_high = [&](double sine) {
-        const double low = clamped(sine - sine_step_), high = clamped(sine + sine_step_);
+        const double high = clamped(sine + sine_step_);
         const double tangent = tangent_of(high);
         if (tangent >= 0.0) {
             const double middle = clamped(sine);
             return r * (middle <= 0.0 && high >= 0.0 ? 1.0 : std::max(cosine_of(middle), cosine_of(high)));
         }
+        // Then b = b_j + h is best, and along that edge the place where the tangent is twice as steep.
         const double level = 2.0 * tangent / std::sqrt(1.0 + 4.0 * tangent * tangent);
-        const double best = std::clamp(level, low, clamped(sine));
-        return r * cosine_of(best) - 2.0 * r * (clamped(sine) - best) * tangent;
+        const double best = std::clamp(level, clamped(sine), high);
+        return r * cosine_of(best) - 2.0 * r * (high - best) * tangent;
     };
     const auto apart = [&](double sine) {
         const double low = sine - sine_step_, high = sine + sine_step_;
@@ -406,52 +406,44 @@ Pairs OuterLattice::begin(const Limits& places, const Limits& limits, Direction 
     return pairs;
 }
 
-Pairs OuterLattice::begin_at_start(const Limits& limits, Direction direction) const {
-    Pairs pairs = none(limits);
-    const Numbers& of = numbers(direction);
-    const double across = radius_ * start_sine_;
-    const double a = start_.x - across, b = start_.x + across;
+OuterLattice::Place OuterLattice::place_of(const Pose& pose, Direction direction) const {
+    const double sine = angles::sin(pose.heading), across = radius_ * sine;
+    const double a = pose.x - across, b = pose.x + across;
     const double a0 = x0_ - radius_ * sine0_ - h_ / 2.0, b0 = x0_ + radius_ * sine0_ - h_ / 2.0;
     const int i = static_cast<int>(std::floor((a - a0) / h_)), j = static_cast<int>(std::floor((b - b0) / h_));
-    const int row = i + j, d = j - i;
+    const int d = j - i;
     const double in_a = a - a0 - i * h_, in_b = b - b0 - j * h_;
-    const double t_high = tangent_of(clamped(sine(d + 1))), t_low = tangent_of(clamped(sine(d - 1)));
-    const double level = radius_ * cosine_of(start_sine_);
+    const double t_high = tangent_of(clamped(this->sine(d + 1))), t_low = tangent_of(clamped(this->sine(d - 1)));
+    const double level = radius_ * cosine_of(sine);
+    if (direction == Direction::forward) return {i + j, d, in_a * t_high - level, in_b * t_low + level};
+    return {i + j, d, (in_a - h_) * t_low - level, (in_b - h_) * t_high + level};
+}
+
+Pairs OuterLattice::begin_at_start(const Limits& limits, Direction direction) const {
+    Pairs pairs = none(limits);
+    const Place at = place_of(start_, direction);
+    const int cell = cell_of(at.column);
     std::vector<Micro> z(1 + vector_padding, -nowhere), w(1 + vector_padding, nowhere);
-    if (direction == Direction::forward) {
-        z[0] = rounded_up(start_.y + level - in_a * t_high + 1e-9);
-        w[0] = rounded_down(start_.y - level - in_b * t_low - 1e-9);
-    } else {
-        z[0] = rounded_up(start_.y + level - (in_a - h_) * t_low + 1e-9);
-        w[0] = rounded_down(start_.y - level - (in_b - h_) * t_high - 1e-9);
-    }
+    z[0] = rounded_up(start_.y - at.up + 1e-9);
+    w[0] = rounded_down(start_.y - at.down - 1e-9);
     for (std::size_t k = 0; k < limits.size(); ++k) {
-        const Span mine = limits[k].spans.of(row);
-        if (cell_of(d) < mine.from || cell_of(d) > mine.to) continue;
-        take_in(taking_of(pairs.layers[k], limits[k], mine, of, apart_, row, cell_of(d)), {z.data(), w.data(), nullptr, nullptr}, 1);
+        const Span mine = limits[k].spans.of(at.row);
+        if (cell < mine.from || cell > mine.to) continue;
+        take_in(taking_of(pairs.layers[k], limits[k], mine, numbers(direction), apart_, at.row, cell),
+                {z.data(), w.data(), nullptr, nullptr}, 1);
     }
     return pairs;
 }
 
-bool OuterLattice::holds_start(const Pairs& pairs, const Limits& limits, Direction direction) const {
-    const double across = radius_ * start_sine_;
-    const double a = start_.x - across, b = start_.x + across;
-    const double a0 = x0_ - radius_ * sine0_ - h_ / 2.0, b0 = x0_ + radius_ * sine0_ - h_ / 2.0;
-    const int i = static_cast<int>(std::floor((a - a0) / h_)), j = static_cast<int>(std::floor((b - b0) / h_));
-    const int row = i + j, d = j - i;
-    const double in_a = a - a0 - i * h_, in_b = b - b0 - j * h_;
-    const double t_high = tangent_of(clamped(sine(d + 1))), t_low = tangent_of(clamped(sine(d - 1)));
-    const double level = radius_ * cosine_of(start_sine_);
-    const bool forward = direction == Direction::forward;
-    const double up = (forward ? in_a * t_high : (in_a - h_) * t_low) - level;
-    const double down = (forward ? in_b * t_low : (in_b - h_) * t_high) + level;
+bool OuterLattice::holds(const Pairs& pairs, const Limits& limits, Direction direction, const Pose& pose) const {
+    const Place at = place_of(pose, direction);
+    const int cell = cell_of(at.column);
     for (std::size_t k = 0; k < limits.size(); ++k) {
-        const Span mine = limits[k].spans.of(row);
-        if (cell_of(d) < mine.from || cell_of(d) > mine.to) continue;
-        const std::size_t at = mine.at(cell_of(d));
-        const Micro z = pairs.layers[k].z[at], w = pairs.layers[k].w[at];
+        const Span mine = limits[k].spans.of(at.row);
+        if (cell < mine.from || cell > mine.to) continue;
+        const Micro z = pairs.layers[k].z[mine.at(cell)], w = pairs.layers[k].w[mine.at(cell)];
         if (z == -nowhere) continue;
-        if (start_.y <= z * micro + up + 1e-6 && start_.y >= w * micro + down - 1e-6) return true;
+        if (pose.y <= z * micro + at.up + 1e-6 && pose.y >= w * micro + at.down - 1e-6) return true;
     }
     return false;
 }

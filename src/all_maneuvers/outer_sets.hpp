@@ -114,7 +114,10 @@ public:
     /// Everything the move reaches from where it begins.
     void sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch) const;
 
-    [[nodiscard]] bool holds_start(const Pairs& pairs, const Limits& limits, Direction direction) const;
+    [[nodiscard]] bool holds(const Pairs& pairs, const Limits& limits, Direction direction, const Pose& pose) const;
+    [[nodiscard]] bool holds_start(const Pairs& pairs, const Limits& limits, Direction direction) const {
+        return holds(pairs, limits, direction, start_);
+    }
     /// The places as intervals of y that lie in both.
     [[nodiscard]] Limits common(const Pairs& one, Direction direction, const Pairs& other, const Limits& limits) const;
     /// The free intervals, clipped to what is left of the lattice twice as coarse.
@@ -130,6 +133,12 @@ private:
         ColumnNumbers from_left, from_right;  ///< what z, or w, gains on the way from the column beside
         ColumnNumbers turn_z, turn_w;      ///< and at a change into this direction
     };
+    /// The cell a pose lies in, and what lies between the pair's bounds and y there.
+    struct Place {
+        int row, column;
+        double up, down;  ///< y <= z + up, y >= w + down
+    };
+    [[nodiscard]] Place place_of(const Pose& pose, Direction direction) const;
     void number_columns();
     void measure(const ChartPlace& place, const Layer* coarser, const Watching& watch);
     [[nodiscard]] const Numbers& numbers(Direction direction) const {
@@ -138,7 +147,6 @@ private:
 
     double h_, radius_, x0_, sine0_, sine_step_;
     Pose start_;
-    double start_sine_ = 0.0;
     int first_column_ = 0, last_column_ = 0;
     Numbers forward_, backward_;
     ColumnNumbers apart_;  ///< z - w is at least this
