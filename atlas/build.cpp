@@ -98,8 +98,8 @@ std::vector<std::pair<std::string, std::string>> in_words(const AtlasOptions& op
             {"maximum of direction changes", options.max_changes ? std::to_string(*options.max_changes) : "none given"},
             {"least range of headings", spelled(options.min_range) + " rad"},
             {"resolution", options.resolution > 0.0 ? spelled(options.resolution) + " m" : "none given"},
-            {"clearance", spelled(options.clearance) + " m"},
-            {"way in", options.enter == Enter::backward ? "backward" : "forward"}};
+            {"clearance", spelled(options.driving.clearance) + " m"},
+            {"way in", options.driving.enter == Enter::backward ? "backward" : "forward"}};
 }
 
 /// Throws Error unless answers to the plan may join those that are stored.

@@ -61,7 +61,7 @@ void check_options(const AtlasOptions& options) {
     check_between("maximum of direction changes", options.max_changes.value_or(0), 0.0, 100000.0, "");
     check_between("narrowest range", options.min_range, 0.0, 1.5707963267948966, " rad");
     check_between("resolution", options.resolution, 0.0, 1e6, " m");
-    check_between("clearance", options.clearance, 0.0, 1e6, " m");
+    check_between("clearance", options.driving.clearance, 0.0, 1e6, " m");
 }
 
 /// How many cells there are.
@@ -94,10 +94,10 @@ std::string front_part(const AtlasPlan& plan, std::uint64_t cells, std::string_v
     head.cells_per_block = cells_per_block(cells);
     head.strategy = plan.options.strategy == AtlasStrategy::max_steer ? 0 : 1;
     head.max_changes = plan.options.max_changes.value_or(-1);
-    head.enter = plan.options.enter == Enter::backward ? 0 : 1;
+    head.enter = plan.options.driving.enter == Enter::backward ? 0 : 1;
     head.resolution = plan.options.resolution;
     head.min_range = plan.options.min_range;
-    head.clearance = plan.options.clearance;
+    head.clearance = plan.options.driving.clearance;
     if (made_by.size() > head.made_by.size())
         throw Error("version " + in_quotes(made_by) + " has " + std::to_string(made_by.size()) +
                     " bytes, but must have at most " + std::to_string(head.made_by.size()));

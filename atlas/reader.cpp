@@ -237,8 +237,8 @@ void Atlas::open(const std::string& name) {
     if (head.max_changes >= 0) options_.max_changes = head.max_changes;
     options_.resolution = head.resolution;
     options_.min_range = head.min_range;
-    options_.clearance = head.clearance;
-    options_.enter = head.enter == 0 ? Enter::backward : Enter::forward;
+    options_.driving.clearance = head.clearance;
+    options_.driving.enter = head.enter == 0 ? Enter::backward : Enter::forward;
 
     states_ = std::make_unique<std::atomic<Block>[]>(blocks_);
 }
@@ -325,7 +325,7 @@ std::optional<AtlasCell> Atlas::cell(std::size_t car, std::size_t width, std::si
     found.body_ = begin + record.body_at;
     found.length_ = this->length(length);
     found.width_ = this->width(width);
-    found.enter_ = options_.enter;
+    found.enter_ = options_.driving.enter;
     found.max_steer_ = car_entry(bytes_, car).max_steer;
     found.direction_changes_ = record.direction_changes;
     found.lower_bound_ = record.lower_bound;

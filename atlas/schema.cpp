@@ -46,8 +46,6 @@ CREATE VIEW maneuver AS
     FROM move LEFT JOIN car_part ON car_part.id = move.car_part LEFT JOIN obstacle ON obstacle.id = move.obstacle;
 )sql";
 
-std::string_view to_string(Enter enter) { return enter == Enter::backward ? "backward" : "forward"; }
-
 int pragma(const Connection& connection, const char* question) {
     Statement statement(connection, question);
     return statement.row() ? statement.small(0) : 0;
@@ -79,8 +77,8 @@ void create_tables(Connection& connection, const AtlasOptions& options) {
     provenance.run("max_changes", options.max_changes);
     provenance.run("min_range", options.min_range);
     provenance.run("resolution", options.resolution);
-    provenance.run("clearance", options.clearance);
-    provenance.run("enter", to_string(options.enter));
+    provenance.run("clearance", options.driving.clearance);
+    provenance.run("enter", to_string(options.driving.enter));
     Statement part(connection, "INSERT INTO car_part VALUES (?, ?)");
     for (int i = 0; i <= static_cast<int>(CarPart::right_edge); ++i) part.run(i, to_string(static_cast<CarPart>(i)));
     Statement obstacle(connection, "INSERT INTO obstacle VALUES (?, ?)");
@@ -124,8 +122,8 @@ StoredPlan read_plan(const Connection& connection, const std::string& path) try 
         if (key == "max_changes" && !provenance.is_null(1)) options.max_changes = provenance.small(1);
         if (key == "min_range") options.min_range = provenance.real(1);
         if (key == "resolution") options.resolution = provenance.real(1);
-        if (key == "clearance") options.clearance = provenance.real(1);
-        if (key == "enter" && provenance.text(1) == to_string(Enter::forward)) options.enter = Enter::forward;
+        if (key == "clearance") options.driving.clearance = provenance.real(1);
+        if (key == "enter" && provenance.text(1) == to_string(Enter::forward)) options.driving.enter = Enter::forward;
     }
     // SQLite's own order of texts is that of std::string: byte by byte.
     Statement cars(connection, "SELECT id, name, width, front, rear, wheelbase, max_steer FROM car ORDER BY name");

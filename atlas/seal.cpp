@@ -36,7 +36,7 @@ std::int64_t seal(const AtlasOptions& options, std::string_view made_by, const C
                   const CellAnswer& answer) {
     Words words;
     words.put_all(made_by, static_cast<int>(options.strategy), options.max_changes.value_or(-1), options.min_range,
-                  options.resolution, options.clearance, static_cast<int>(options.enter));
+                  options.resolution, options.driving.clearance, static_cast<int>(options.driving.enter));
     words.put_all(std::string_view(car.name()), car.width(), car.front(), car.rear(), car.wheelbase(), car.max_steer(),
                   width, length);
     words.put_all(answer.direction_changes.value_or(-1), answer.lower_bound, answer.proved ? 1 : 0);

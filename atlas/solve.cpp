@@ -28,10 +28,10 @@ std::optional<CellAnswer> solve_max_steer(const Car& car, const Slot& slot, cons
     EntryOptions asked;
     asked.max_changes = options.max_changes;
     asked.min_range = options.min_range;
-    asked.clearance = options.clearance;
-    asked.enter = options.enter;
+    asked.driving.clearance = options.driving.clearance;
+    asked.driving.enter = options.driving.enter;
     if (go_on) asked.progress = [&](double) { return go_on(); };
-    EntryAnswer found = entry(car, slot, asked);
+    Answer found = entry(car, slot, asked);
     if (found.cancelled) return std::nullopt;
     CellAnswer answer;
     answer.direction_changes = found.direction_changes;
@@ -45,15 +45,15 @@ std::optional<CellAnswer> solve_fewest(const Car& car, const Slot& slot, const A
     FewestOptions asked;
     if (options.max_changes) asked.max_changes = *options.max_changes;
     asked.resolution = options.resolution;
-    asked.clearance = options.clearance;
-    asked.enter = options.enter;
+    asked.driving.clearance = options.driving.clearance;
+    asked.driving.enter = options.driving.enter;
     bool given_up = false;
     if (go_on)
         asked.progress = [&](const FewestProgress&) {
             given_up = given_up || !go_on();
             return !given_up;
         };
-    const FewestAnswer found = fewest(car, slot, asked);
+    const Answer found = fewest(car, slot, asked);
     if (given_up) return std::nullopt;  // what it had by then depends on the moment
     CellAnswer answer;
     answer.direction_changes = found.direction_changes;

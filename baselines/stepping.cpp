@@ -333,7 +333,7 @@ MaxSteerRun stepping(const Car& car, const Slot& slot, double heading, const Ste
     detail::check_entry_heading(heading);
     detail::check(options);
 
-    const Algorithm algorithm(car, slot, options.enter, options.clearance, steps);
+    const Algorithm algorithm(car, slot, options.driving.enter, options.driving.clearance, steps);
     MaxSteerRun run{Outcome::no_entry, {car, {}}};
     State at = algorithm.entry_position(heading);
     if (!algorithm.is_possible_entry(at)) {
@@ -349,14 +349,14 @@ MaxSteerRun stepping(const Car& car, const Slot& slot, double heading, const Ste
             break;
         }
         Move move;
-        move.direction = detail::entering_direction(options.enter, direction);
+        move.direction = detail::entering_direction(options.driving.enter, direction);
         move.steering_angle = slot.mirrored(direction == Direction::backward ? car.max_steer() : -car.max_steer());
         move.length = static_cast<double>(driven.steps) * steps.step;
-        move.start = detail::to_world(slot, options.enter, pose);
+        move.start = detail::to_world(slot, options.driving.enter, pose);
         pose = {at.x, at.y, pose.heading - static_cast<double>(driven.steps) * algorithm.turn()};
-        move.end = detail::to_world(slot, options.enter, pose);
+        move.end = detail::to_world(slot, options.driving.enter, pose);
         if (driven.end == MoveEnd::contact || (driven.end == MoveEnd::parked && steps.stop == StopRule::contact)) {
-            move.contact = detail::to_world(slot, options.enter, algorithm.contact(at, direction));
+            move.contact = detail::to_world(slot, options.driving.enter, algorithm.contact(at, direction));
         }
         run.maneuver.moves.push_back(move);
         if (driven.end != MoveEnd::contact) {
@@ -368,9 +368,9 @@ MaxSteerRun stepping(const Car& car, const Slot& slot, double heading, const Ste
     return run;
 }
 
-EntryAnswer stepping_entry(const Car& car, const Slot& slot, const EntryOptions& options, const Stepping& steps) {
+Answer stepping_entry(const Car& car, const Slot& slot, const EntryOptions& options, const Stepping& steps) {
     check_steps(car, steps);
-    const Algorithm algorithm(car, slot, options.enter, options.clearance, steps);
+    const Algorithm algorithm(car, slot, options.driving.enter, options.driving.clearance, steps);
 
     const auto samples = static_cast<std::size_t>(std::floor(quarter_turn / steps.heading_step)) + 1;
     Counts counts(samples, -1);
@@ -383,7 +383,7 @@ EntryAnswer stepping_entry(const Car& car, const Slot& slot, const EntryOptions&
     }
 
     // One round per direction change, all headings in each: nothing is driven that Gamma_max would drop later.
-    EntryAnswer answer;
+    Answer answer;
     const int max_changes = options.max_changes.value_or(MaxSteerOptions{}.max_changes);
     Direction direction = Direction::backward;
     std::int64_t steps_since_report = 0;
@@ -422,10 +422,9 @@ EntryAnswer stepping_entry(const Car& car, const Slot& slot, const EntryOptions&
     if (!answer.direction_changes) {
         return answer;
     }
-    answer.parkable = true;
     answer.ranges = ranges_of(counts, steps, options.min_range);
     const double heading = middle_of_widest(answer.ranges, *answer.direction_changes, steps);
-    const MaxSteerOptions same = {max_changes, options.clearance, options.enter};
+    const MaxSteerOptions same = {max_changes, options.driving};
     answer.maneuver = stepping(car, slot, heading, steps, same).maneuver;
     return answer;
 }

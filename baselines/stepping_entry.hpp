@@ -7,6 +7,6 @@ namespace snug {
 
 /// entry() for the strategy Stepping. The ranges are runs of neighbouring sampled headings with the same count, their
 /// edges are samples. `options.strategy` is not looked at; throws Error when `steps` are impossible.
-EntryAnswer stepping_entry(const Car& car, const Slot& slot, const EntryOptions& options, const Stepping& steps);
+Answer stepping_entry(const Car& car, const Slot& slot, const EntryOptions& options, const Stepping& steps);
 
 }  // namespace snug

@@ -38,11 +38,11 @@ struct Ground {
     Ground(const Car& asked, const Slot& asked_slot, const MaxSteerOptions& options)
         : car(asked),
           slot({.length = asked_slot.length(), .width = asked_slot.width()}),
-          problem(entering_problem(asked, asked_slot, options.enter, options.clearance)),
-          clearance(options.clearance),
+          problem(entering_problem(asked, asked_slot, options.driving.enter, options.driving.clearance)),
+          clearance(options.driving.clearance),
           radius(asked.turning_radius()) {
         CarDimensions dimensions = asked.dimensions();
-        if (options.enter == Enter::forward) std::swap(dimensions.front, dimensions.rear);
+        if (options.driving.enter == Enter::forward) std::swap(dimensions.front, dimensions.rear);
         car = Car(dimensions);
         front = car.front() + clearance;
         side = car.width() / 2.0 + clearance;
@@ -63,7 +63,7 @@ struct Ground {
         grown.front += clearance;
         grown.rear += clearance;
         grown.width += 2.0 * clearance;
-        const std::array<Point, 4> corners = frame(Car(grown), pose);
+        const std::vector<Point> corners = frame(Car(grown), pose);
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Point& from = corners[i];
             const Point& to = corners[(i + 1) % corners.size()];
@@ -301,25 +301,25 @@ std::optional<Maneuver> reversed_trials(const Car& car, const Slot& slot, const 
                                         const MaxSteerOptions& options) {
     check(options);
     check_finite(trials.goal);
-    if (!fits(car, slot, options.clearance)) return std::nullopt;
+    if (!fits(car, slot, options.driving.clearance)) return std::nullopt;
     const Ground ground(car, slot, options);
-    const Pose deduced{ground.car.rear() + options.clearance - slot.length(), -car.width() / 2.0, 0.0};
-    const Pose goal = trials.goal ? checked_goal(ground, slot, options.enter, *trials.goal, quarter_turn,
+    const Pose deduced{ground.car.rear() + options.driving.clearance - slot.length(), -car.width() / 2.0, 0.0};
+    const Pose goal = trials.goal ? checked_goal(ground, slot, options.driving.enter, *trials.goal, quarter_turn,
                                                  "within a quarter turn of it")
                                   : deduced;
     const std::vector<Move> out = moves_out(ground, below_entry_side(ground, goal), trials.first, options.max_changes);
     if (out.empty()) return std::nullopt;
-    return to_world(car, slot, options.enter, in_reverse(out));
+    return to_world(car, slot, options.driving.enter, in_reverse(out));
 }
 
 std::optional<Maneuver> parallel_trials(const Car& car, const Slot& slot, const ParallelTrials& trials,
                                         const MaxSteerOptions& options) {
     check(options);
     check_finite(trials.goal);
-    if (!fits(car, slot, options.clearance)) return std::nullopt;
+    if (!fits(car, slot, options.driving.clearance)) return std::nullopt;
     const Ground ground(car, slot, options);
     std::optional<Pose> goal;
-    if (trials.goal) goal = checked_goal(ground, slot, options.enter, *trials.goal, 1e-9, "parallel to it");
+    if (trials.goal) goal = checked_goal(ground, slot, options.driving.enter, *trials.goal, 1e-9, "parallel to it");
     const double goal_y = goal ? below_entry_side(ground, *goal).y : -car.width() / 2.0 - rounding;
 
     std::vector<Move> moves = {first_trial(ground, goal_y)};
@@ -336,21 +336,20 @@ std::optional<Maneuver> parallel_trials(const Car& car, const Slot& slot, const 
         const Direction to_goal = goal->x > here().x ? Direction::forward : Direction::backward;
         moves.push_back(driven(ground, here(), to_goal, 0.0, std::abs(goal->x - here().x)));
     }
-    Maneuver maneuver = to_world(car, slot, options.enter, std::move(moves));
+    Maneuver maneuver = to_world(car, slot, options.driving.enter, std::move(moves));
     if (maneuver.direction_changes() > options.max_changes) return std::nullopt;
     return maneuver;
 }
 
 ReversedTrialsByGoal reversed_trials_by_goal(const Car& car, const Slot& slot, int max_changes) {
     const auto changes = [&](const ReversedTrials& trials) -> std::optional<int> {
-        const std::optional<Maneuver> maneuver =
-            reversed_trials(car, slot, trials, {max_changes, 0.0, Enter::backward});
+        const std::optional<Maneuver> maneuver = reversed_trials(car, slot, trials, {.max_changes = max_changes});
         if (!maneuver) return std::nullopt;
         return maneuver->direction_changes();
     };
     ReversedTrialsByGoal by_goal;
     by_goal.deduced = changes({});
-    const EntryAnswer best = entry(car, slot);
+    const Answer best = entry(car, slot);
     if (best.maneuver && best.direction_changes <= max_changes)
         by_goal.found = changes({best.maneuver->goal(), reverse_of(best.maneuver->moves.back().direction)});
     return by_goal;

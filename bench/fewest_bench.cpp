@@ -29,7 +29,7 @@ std::vector<Case> cases() {
 }
 
 void whole(benchmark::State& state, const Case& c) {
-    FewestAnswer answer;
+    Answer answer;
     for (auto _ : state) answer = fewest(c.car, c.slot);
     state.counters["changes"] = answer.direction_changes.value_or(-1);
     state.counters["proved"] = answer.proved;
@@ -40,7 +40,7 @@ void bounds(benchmark::State& state, const Case& c, double resolution) {
     FewestOptions options;
     options.resolution = resolution;
     options.roomiest = false;
-    FewestAnswer answer;
+    Answer answer;
     for (auto _ : state) answer = fewest(c.car, c.slot, options);
     state.counters["lower"] = answer.lower_bound;
     state.counters["upper"] = answer.direction_changes.value_or(-1);

@@ -48,7 +48,7 @@ const std::vector<NamedStrategy> strategies = {
 void entry_of(benchmark::State& state, const Case& c, const Strategy& strategy) {
     EntryOptions options;
     options.strategy = strategy;
-    EntryAnswer answer;
+    Answer answer;
     for (auto _ : state) {
         answer = entry(c.car, c.slot, options);
         benchmark::DoNotOptimize(answer);

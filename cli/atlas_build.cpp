@@ -76,8 +76,8 @@ AtlasOptions atlas_options(const Options& options) {
     }
     atlas.resolution = options.number("--resolution", 0.0, 1e-9, 1e6, " m");
     atlas.min_range = options.number("--min-range", 0.0, 0.0, 1.5707963267948966, " rad");
-    atlas.clearance = clearance(options);
-    atlas.enter = enter(options);
+    atlas.driving.clearance = clearance(options);
+    atlas.driving.enter = enter(options);
     return atlas;
 }
 

@@ -124,24 +124,22 @@ EntryOptions entry_options(const AtlasOptions& options) {
     EntryOptions entry;
     entry.max_changes = options.max_changes;
     entry.min_range = options.min_range;
-    entry.clearance = options.clearance;
-    entry.enter = options.enter;
+    entry.driving = options.driving;
     return entry;
 }
 
-EntryAnswer as_entry(const AtlasAnswer& found, const Question& question) {
-    EntryAnswer answer;
-    answer.parkable = found.verdict == AtlasVerdict::parks;
+Answer as_entry(const AtlasAnswer& found, const Question& question) {
+    Answer answer;
     answer.cancelled = found.verdict == AtlasVerdict::undecided;  // which JSON calls null
-    if (!answer.parkable) return answer;
+    if (!answer.parkable()) return answer;
     answer.direction_changes = found.cell.direction_changes();
     for (std::size_t i = 0; i < found.cell.ranges(); ++i) answer.ranges.push_back(found.cell.range(i));
     answer.maneuver = maneuver(found.cell, question.car, question.slot);
     return answer;
 }
 
-FewestAnswer as_fewest(const AtlasAnswer& found, const Question& question) {
-    FewestAnswer answer;
+Answer as_fewest(const AtlasAnswer& found, const Question& question) {
+    Answer answer;
     answer.lower_bound = found.lower_bound;
     if (found.verdict == AtlasVerdict::parks) {
         answer.direction_changes = found.cell.direction_changes();

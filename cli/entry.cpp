@@ -69,8 +69,8 @@ EntryOptions entry_options(const Options& options) {
         entry_options.max_changes = whole_number("--max-changes", *text, 0, most_changes);
     }
     entry_options.min_range = options.number("--min-range", 0.0, 0.0, std::numbers::pi / 2.0, " rad");
-    entry_options.clearance = clearance(options);
-    entry_options.enter = enter(options);
+    entry_options.driving.clearance = clearance(options);
+    entry_options.driving.enter = enter(options);
     entry_options.strategy = strategy(options);
     const bool trials = std::holds_alternative<ReversedTrials>(entry_options.strategy) ||
                         std::holds_alternative<ParallelTrials>(entry_options.strategy);
@@ -83,16 +83,16 @@ EntryOptions entry_options(const Options& options) {
     return entry_options;
 }
 
-std::string drawn(const Picture& picture, const EntryQuestion& question, const EntryAnswer& answer) {
-    const PictureOptions options = {question.options.enter, question.options.clearance};
+std::string drawn(const Picture& picture, const EntryQuestion& question, const Answer& answer) {
+    const PictureOptions options = {question.options.driving};
     const auto draw = picture.entries
                           ? draw_entries
-                          : static_cast<std::string (*)(const Car&, const Slot&, const EntryAnswer&, PictureFormat,
+                          : static_cast<std::string (*)(const Car&, const Slot&, const Answer&, PictureFormat,
                                                         const PictureOptions&)>(draw_maneuver);
     return draw(question.car, question.slot, answer, picture.format, options);
 }
 
-std::string written(Format format, const EntryQuestion& question, const EntryAnswer& answer) {
+std::string written(Format format, const EntryQuestion& question, const Answer& answer) {
     switch (format) {
         case Format::json: return write(as_json(question.car, question.slot, question.options, answer));
         case Format::csv: return entry_csv(answer);
@@ -112,12 +112,11 @@ Action fewest_action(const Options& options, const EntryQuestion& question) {
         throw Error("--format: csv lists ranges of headings, but fewest has none; write text or json");
     const std::optional<WaypointsFile> route = waypoints_file(options);
     return [question, asked, chosen, route, picture = picture(options), path = output(options)] {
-        const FewestAnswer answer = fewest(question.car, question.slot, asked);
+        const Answer answer = fewest(question.car, question.slot, asked);
         if (asked.progress) wipe_progress();
         if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
         if (picture) {
-            EntryAnswer as_entry;
-            as_entry.parkable = answer.direction_changes.has_value();
+            Answer as_entry;
             as_entry.direction_changes = answer.direction_changes;
             as_entry.maneuver = answer.maneuver;
             write_file("--draw", picture->path, drawn(*picture, question, as_entry));
@@ -131,7 +130,7 @@ Action fewest_action(const Options& options, const EntryQuestion& question) {
 
 }  // namespace
 
-std::string entry_csv(const EntryAnswer& answer) {
+std::string entry_csv(const Answer& answer) {
     std::string text = "heading_min,heading_max,direction_changes,subrange\n";
     for (const HeadingRange& range : answer.ranges) {
         text += write(range.min) + ',' + write(range.max) + ',' + std::to_string(range.direction_changes) + ',' +
@@ -165,7 +164,7 @@ Action parse_entry(const Arguments& arguments) {
     static_cast<void>(threads(options));  // one heading after the other is fast enough
     const std::optional<WaypointsFile> route = waypoints_file(options);
     return [question, route, picture = picture(options), format = format(options), path = output(options)] {
-        const EntryAnswer answer = entry(question.car, question.slot, question.options);
+        const Answer answer = entry(question.car, question.slot, question.options);
         if (question.options.progress) {
             wipe_progress();
         }
@@ -174,7 +173,7 @@ Action parse_entry(const Arguments& arguments) {
             write_file("--draw", picture->path, drawn(*picture, question, answer));
         }
         put_out(path, written(format, question, answer));
-        return answer.cancelled ? undecided : answer.parkable ? solved : cannot_park;
+        return answer.cancelled ? undecided : answer.parkable() ? solved : cannot_park;
     };
 }
 

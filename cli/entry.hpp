@@ -15,15 +15,15 @@ struct EntryQuestion {
 };
 
 /// What a person needs: where to put the car, how exactly, and move by move what to do. At most 80 columns.
-std::string entry_text(const EntryQuestion& question, const EntryAnswer& answer);
+std::string entry_text(const EntryQuestion& question, const Answer& answer);
 
 /// The same for the fewest changes over all maneuvers, and what is proved.
-std::string fewest_text(const EntryQuestion& question, int max_changes, const FewestAnswer& answer);
+std::string fewest_text(const EntryQuestion& question, int max_changes, const Answer& answer);
 
 /// How to leave, move by move, and what is proved.
-std::string leave_text(const EntryQuestion& question, int max_changes, const FewestAnswer& answer);
+std::string leave_text(const EntryQuestion& question, int max_changes, const Answer& answer);
 
 /// One row per range of entry headings.
-std::string entry_csv(const EntryAnswer& answer);
+std::string entry_csv(const Answer& answer);
 
 }  // namespace snug::cli

@@ -61,8 +61,8 @@ Gaps gaps(const Car& car, const Slot& slot, const Pose& pose) {
 
 /// How far out in the road the car's corner is that enters along the slot's corner; trials may enter above it. [m]
 double height_over_slot_corner(const EntryQuestion& question, const Pose& entry) {
-    const bool backward = question.options.enter == Enter::backward;
-    const double clearance = question.options.clearance;
+    const bool backward = question.options.driving.enter == Enter::backward;
+    const double clearance = question.options.driving.clearance;
     const Pose pose = question.slot.to_slot(entry);
     const double along = backward ? question.car.front() + clearance : -question.car.rear() - clearance;
     return pose.y + along * std::sin(pose.heading) - (question.car.width() / 2.0 + clearance) * std::cos(pose.heading);
@@ -75,10 +75,11 @@ double off_parallel(const Slot& slot, const Pose& pose) {
 
 std::string refusal(const EntryQuestion& question) {
     const EntryOptions& options = question.options;
-    const std::string lacking = words(shortfall(question.car, question.slot, options.clearance));
+    const std::string lacking = words(shortfall(question.car, question.slot, options.driving.clearance));
     std::string why;
     if (!lacking.empty()) {
-        why = "the slot is " + lacking + " for the car" + (options.clearance > 0.0 ? " with its clearance" : "");
+        why =
+            "the slot is " + lacking + " for the car" + (options.driving.clearance > 0.0 ? " with its clearance" : "");
     } else if (options.min_range > 0.0) {
         why = "no stretch of entry headings at least " +
               fixed(options.min_range / degree, decimals(options.min_range)) + " deg wide\nparks with " +
@@ -92,9 +93,9 @@ std::string refusal(const EntryQuestion& question) {
     return name(question.car) + " cannot park in " + slot_words(question.slot) + ":\n" + why + ".\n";
 }
 
-std::string entry_position(const EntryQuestion& question, const EntryAnswer& answer) {
+std::string entry_position(const EntryQuestion& question, const Answer& answer) {
     const EntryOptions& options = question.options;
-    const bool backward = options.enter == Enter::backward;
+    const bool backward = options.driving.enter == Enter::backward;
     const std::string side = question.slot.side() == Side::right ? "right" : "left";
     const std::string touching = backward ? "front" : "rear";
     const Pose pose = answer.maneuver->entry();
@@ -107,7 +108,8 @@ std::string entry_position(const EntryQuestion& question, const EntryAnswer& ans
     const int digits = range == nullptr ? 3 : decimals(spare);
     const double above = height_over_slot_corner(question, pose);
     const std::string corner = "put the car's " + touching + "-" + side + " corner ";
-    const std::string off = options.clearance > 0.0 ? metres(options.clearance) + " off along and across the car" : "";
+    const std::string off =
+        options.driving.clearance > 0.0 ? metres(options.driving.clearance) + " off along and across the car" : "";
     const std::string begins = "where the " + touching + " neighbour begins";
     Rows rows;
     if (above > 1e-6) {
@@ -142,7 +144,7 @@ std::string steering(const Car& car, double angle) {
 }
 
 std::string moves(const EntryQuestion& question, const Maneuver& maneuver, const std::string& at_last) {
-    const double clearance = question.options.clearance;
+    const double clearance = question.options.driving.clearance;
     Rows rows = {{"", "drive", "steering", "distance", "until"}};
     for (const Move& move : maneuver.moves) {
         std::string until = "stop here";
@@ -172,7 +174,7 @@ std::string result(const EntryQuestion& question, const Maneuver& maneuver) {
 }
 
 /// All ranges, when there is more to tell than the best one.
-std::string ranges(const EntryAnswer& answer) {
+std::string ranges(const Answer& answer) {
     if (answer.ranges.size() < 2) {
         return "";
     }
@@ -195,11 +197,11 @@ std::string ranges(const EntryAnswer& answer) {
 
 }  // namespace
 
-std::string entry_text(const EntryQuestion& question, const EntryAnswer& answer) {
+std::string entry_text(const EntryQuestion& question, const Answer& answer) {
     if (answer.cancelled) {
         return "Given up before there was an answer.\n";
     }
-    if (!answer.parkable) {
+    if (!answer.parkable()) {
         return refusal(question);
     }
     std::string text = name(question.car) + " parks in " + slot_words(question.slot) + "\nwith " +
@@ -213,7 +215,7 @@ std::string entry_text(const EntryQuestion& question, const EntryAnswer& answer)
 
 namespace {
 
-std::string proof(const FewestAnswer& answer) {
+std::string proof(const Answer& answer) {
     if (!answer.direction_changes) return "";
     const std::string fewer = "No maneuver has fewer";
     if (answer.proved) return "\n" + fewer + ": proved.\n";
@@ -222,10 +224,10 @@ std::string proof(const FewestAnswer& answer) {
            " would do is not known.\n";
 }
 
-std::string no_way(const EntryQuestion& question, const char* what, int max_changes, const FewestAnswer& answer) {
+std::string no_way(const EntryQuestion& question, const char* what, int max_changes, const Answer& answer) {
     const std::string car_and_slot =
         name(question.car) + (answer.proved ? " cannot " : " may ") + what + " " + slot_words(question.slot) + ":\n";
-    const std::string lacking = words(shortfall(question.car, question.slot, question.options.clearance));
+    const std::string lacking = words(shortfall(question.car, question.slot, question.options.driving.clearance));
     if (!lacking.empty()) return car_and_slot + "the slot is " + lacking + " for the car.\n";
     const std::string most = (max_changes == 0 ? "" : "up to ") + changes(max_changes);
     if (answer.proved) return car_and_slot + "no maneuver whatsoever does with " + most + ", which is proved.\n";
@@ -235,16 +237,15 @@ std::string no_way(const EntryQuestion& question, const char* what, int max_chan
 
 }  // namespace
 
-std::string fewest_text(const EntryQuestion& question, int max_changes, const FewestAnswer& answer) {
+std::string fewest_text(const EntryQuestion& question, int max_changes, const Answer& answer) {
     if (!answer.maneuver) return no_way(question, "park in", max_changes, answer);
-    EntryAnswer as_entry;
-    as_entry.parkable = true;
+    Answer as_entry;
     as_entry.direction_changes = answer.direction_changes;
     as_entry.maneuver = answer.maneuver;
     return entry_text(question, as_entry) + proof(answer);
 }
 
-std::string leave_text(const EntryQuestion& question, int max_changes, const FewestAnswer& answer) {
+std::string leave_text(const EntryQuestion& question, int max_changes, const Answer& answer) {
     if (!answer.maneuver) return no_way(question, "leave", max_changes, answer);
     return name(question.car) + " leaves " + slot_words(question.slot) + "\nwith " +
            changes(*answer.direction_changes) + ".\n" + moves(question, *answer.maneuver, "the way is free") +

@@ -55,7 +55,7 @@ Action parse_leave(const Arguments& arguments) {
     const Car the_car = car(options);
     EntryQuestion question = {the_car, slot(options, the_car), {}};
     FewestOptions asked = fewest_options(options);
-    question.options.clearance = asked.clearance;
+    question.options.driving.clearance = asked.driving.clearance;
     asked.progress = show_bounds();
     ParkedGaps gaps;
     gaps.front = gap(options, "--gap-front");
@@ -74,12 +74,11 @@ Action parse_leave(const Arguments& arguments) {
     }
     const std::optional<WaypointsFile> route = waypoints_file(options);
     return [question, asked, gaps, chosen, picture, picture_as, route, path = output(options)] {
-        const FewestAnswer answer =
-            leave(question.car, question.slot, parked_pose(question.car, question.slot, gaps), asked);
+        const Answer answer = leave(question.car, question.slot, parked_pose(question.car, question.slot, gaps), asked);
         if (asked.progress) wipe_progress();
         if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
         if (picture_as && answer.maneuver) {
-            const PictureOptions drawn = {asked.enter, asked.clearance};
+            const PictureOptions drawn = {asked.driving};
             write_file("--draw", picture, draw_maneuver(question.slot, *answer.maneuver, *picture_as, drawn));
         }
         put_out(path, chosen == Format::json ? write(leave_as_json(question.car, question.slot, answer))

@@ -114,11 +114,11 @@ void set_strategy(const Options& options, Question& question) {
 MinSlotOptions min_slot_options(const Options& options, const Car& car) {
     MinSlotOptions question;
     question.min_range = options.number("--min-range", 0.0, 0.0, std::numbers::pi / 2.0, " rad");
-    question.clearance = clearance(options);
-    question.enter = enter(options);
+    question.driving.clearance = clearance(options);
+    question.driving.enter = enter(options);
     const double usual = std::min(car.length() + 4.0, longest);
     const double max_length = options.number("--max-length", usual, shortest, longest, " m");
-    question.longest = std::max(0.0, max_length - car.length() - 2.0 * question.clearance);
+    question.longest = std::max(0.0, max_length - car.length() - 2.0 * question.driving.clearance);
     return question;
 }
 
@@ -307,8 +307,8 @@ Action fewest_action(const Options& options, const Question& question) {
     if (question.given == Given::length)
         throw Error("--strategy: fewest finds lengths; give --width or --extra-width, and no lengths");
     FewestLengthOptions asked;
-    asked.clearance = question.options.clearance;
-    asked.enter = question.options.enter;
+    asked.driving.clearance = question.options.driving.clearance;
+    asked.driving.enter = question.options.driving.enter;
     asked.longest = question.options.longest;
     asked.resolution = options.number("--resolution", 0.0, 1e-9, longest, " m");
     return [question, asked, sizes = sizes(options, "width", question.car.width()), most = counts(options),

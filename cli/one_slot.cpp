@@ -15,8 +15,8 @@ std::optional<int> fewest(const Car& car, double length, double width, const Min
     if (length < shortest || width < shortest) return std::nullopt;
     EntryOptions options;
     options.min_range = like.min_range;
-    options.clearance = like.clearance;
-    options.enter = like.enter;
+    options.driving = like.driving;
+    options.parked = like.parked;
     return entry(car, Slot({.length = length, .width = width}), options).direction_changes;
 }
 
@@ -25,7 +25,7 @@ std::optional<int> fewest(const Car& car, double length, double width, const Min
 OneSlot one_slot(const Car& car, double length, double width, const MinSlotOptions& options) {
     OneSlot one{car,          length,
                 width,        fewest(car, length, width, options),
-                most_changes, shortfall(car, Slot({.length = length, .width = width}), options.clearance),
+                most_changes, shortfall(car, Slot({.length = length, .width = width}), options.driving.clearance),
                 {},           {}};
     for (const bool vary_length : {true, false}) {
         const double size = vary_length ? length : width;

@@ -276,14 +276,14 @@ FewestOptions fewest_options(const Options& options) {
     FewestOptions fewest;
     if (const std::string* text = options.typed("--max-changes"))
         fewest.max_changes = whole_number("--max-changes", *text, 0, 1000);
-    fewest.clearance = clearance(options);
-    fewest.enter = options.typed("--enter") == nullptr ? Enter::backward : enter(options);
+    fewest.driving.clearance = clearance(options);
+    fewest.driving.enter = options.typed("--enter") == nullptr ? Enter::backward : enter(options);
     fewest.resolution = options.number("--resolution", 0.0, 1e-9, longest, " m");
     fewest.time_limit = options.number("--time-limit", fewest.time_limit, 0.0, 1e9, " s");
     return fewest;
 }
 
-int exit_code(const FewestAnswer& answer) {
+int exit_code(const Answer& answer) {
     return answer.direction_changes ? solved : answer.proved ? cannot_park : undecided;
 }
 

@@ -61,7 +61,7 @@ Format format(const Options& options);
 int threads(const Options& options);
 
 /// How the command ends with that answer.
-int exit_code(const FewestAnswer& answer);
+int exit_code(const Answer& answer);
 
 /// The file of `-o`, which can be written as far as one can tell before the work; empty for standard output.
 std::string output(const Options& options);

@@ -113,8 +113,8 @@ void write(Writer& to, const AtlasOptions& options) {
     to.optional(options.max_changes);
     to.number(options.min_range);
     to.number(options.resolution);
-    to.number(options.clearance);
-    to.choice(options.enter);
+    to.number(options.driving.clearance);
+    to.choice(options.driving.enter);
 }
 
 AtlasOptions read_options(Reader& from) {
@@ -123,8 +123,8 @@ AtlasOptions read_options(Reader& from) {
     options.max_changes = from.optional();
     options.min_range = from.real();
     options.resolution = from.real();
-    options.clearance = from.real();
-    options.enter = Enter{from.choice(0, 1)};
+    options.driving.clearance = from.real();
+    options.driving.enter = Enter{from.choice(0, 1)};
     return options;
 }
 

@@ -65,11 +65,11 @@ std::vector<double> found_headings(const std::vector<HeadingRange>& ranges) {
 }
 
 /// Where the car ends up from each of the headings, as far as it does.
-std::vector<Pose> goals_of(const Car& car, const Slot& slot, const std::vector<double>& headings,
-                           const EntryAnswer& answer, const PictureOptions& options) {
+std::vector<Pose> goals_of(const Car& car, const Slot& slot, const std::vector<double>& headings, const Answer& answer,
+                           const PictureOptions& options) {
     MaxSteerOptions asked;
-    asked.clearance = options.clearance;
-    asked.enter = options.enter;
+    asked.driving.clearance = options.driving.clearance;
+    asked.driving.enter = options.driving.enter;
     for (const HeadingRange& range : answer.ranges) {
         asked.max_changes = std::max(asked.max_changes, range.direction_changes);
     }
@@ -141,7 +141,7 @@ std::string headings_label(const std::vector<HeadingRange>& ranges) {
     return ranges.size() == 1 ? ends : ends + " in " + std::to_string(ranges.size()) + " ranges";
 }
 
-std::string headline_of(const Car& car, const Slot& slot, const EntryAnswer& answer, const PictureOptions& options) {
+std::string headline_of(const Car& car, const Slot& slot, const Answer& answer, const PictureOptions& options) {
     if (answer.ranges.empty()) {
         return verdict(car, slot, answer, options);
     }
@@ -157,10 +157,10 @@ std::string headline_of(const Car& car, const Slot& slot, const EntryAnswer& ans
 }  // namespace
 }  // namespace drawing
 
-std::string draw_entries(const Car& car, const Slot& slot, const EntryAnswer& answer, PictureFormat format,
+std::string draw_entries(const Car& car, const Slot& slot, const Answer& answer, PictureFormat format,
                          const PictureOptions& options) {
     using namespace drawing;
-    const std::vector<double> possible = possible_headings(car, slot, options.clearance);
+    const std::vector<double> possible = possible_headings(car, slot, options.driving.clearance);
     const std::vector<double> found = found_headings(answer.ranges);
     const auto entries_at = [&](const std::vector<double>& headings) {
         std::vector<Pose> poses;

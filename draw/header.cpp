@@ -40,22 +40,22 @@ void draw_header(cairo_t* canvas, const Car& car, const Slot& slot, const Unit& 
                         length_label(car.turning_radius(), unit) + "; slot " +
                         size_label(slot.length(), slot.width(), unit) + " on the " +
                         (slot.side() == Side::left ? "left" : "right") + ", entered " +
-                        (options.enter == Enter::forward ? "nose first" : "tail first");
-    if (options.clearance > 0.0) {
-        facts += ", clearance " + length_label(options.clearance, unit);
+                        (options.driving.enter == Enter::forward ? "nose first" : "tail first");
+    if (options.driving.clearance > 0.0) {
+        facts += ", clearance " + length_label(options.driving.clearance, unit);
     }
     const TextStyle plain = {type::normal - 0.5, palette::faint_ink};
     write(canvas, {margin, 64.0}, fitted(canvas, facts + placement(slot, unit), plain, width), plain);
 }
 
-std::string verdict(const Car& car, const Slot& slot, const EntryAnswer& answer, const PictureOptions& options) {
+std::string verdict(const Car& car, const Slot& slot, const Answer& answer, const PictureOptions& options) {
     if (answer.cancelled) {
         return "no answer: the question was given up";
     }
-    if (answer.parkable) {
+    if (answer.parkable()) {
         return "the car can park; no maneuver is given";
     }
-    const Shortfall lacking = shortfall(car, slot, options.clearance);
+    const Shortfall lacking = shortfall(car, slot, options.driving.clearance);
     const Unit unit = unit_for(car.length());
     std::string text = "cannot park";
     if (lacking.length > 0.0) {

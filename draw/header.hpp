@@ -20,6 +20,6 @@ void draw_header(cairo_t* canvas, const Car& car, const Slot& slot, const Unit& 
 /// "renault-zoe, slot 4.50 m × 2.00 m"
 std::string picture_title(const Car& car, const Slot& slot, const Unit& unit);
 /// What an answer without a maneuver means.
-std::string verdict(const Car& car, const Slot& slot, const EntryAnswer& answer, const PictureOptions& options);
+std::string verdict(const Car& car, const Slot& slot, const Answer& answer, const PictureOptions& options);
 
 }  // namespace snug::drawing

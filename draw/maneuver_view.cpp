@@ -32,7 +32,7 @@ struct Stage {
 /// Text along the road side of a car frame.
 void write_beside(cairo_t* canvas, const View& view, const Stage& stage, const Pose& pose, std::string_view text,
                   const TextStyle& style) {
-    const double side = stage.slot.mirrored(stage.car.width() / 2 + stage.options.clearance);
+    const double side = stage.slot.mirrored(stage.car.width() / 2 + stage.options.driving.clearance);
     const Point front = on_page(view, stage.slot, pose, {stage.car.front(), side});
     const Point rear = on_page(view, stage.slot, pose, {-stage.car.rear(), side});
     const double sign = front.x >= rear.x ? 1.0 : -1.0;
@@ -72,7 +72,7 @@ void draw_stops(cairo_t* canvas, const View& view, const Stage& stage) {
 /// Room for the enlarged path: the road above a neighbour, on the side where the car does not stand out.
 std::optional<Box> free_road(const View& view, const Stage& stage, const Box& driven) {
     constexpr double gap = 10.0;
-    const bool beside_rear = stage.options.enter == Enter::backward;
+    const bool beside_rear = stage.options.driving.enter == Enter::backward;
     const double inner =
         view({beside_rear ? std::min(-stage.slot.length(), driven.x_min) : std::max(0.0, driven.x_max), 0.0}).x;
     const Box page = view.page();
@@ -87,13 +87,13 @@ std::optional<Box> free_road(const View& view, const Stage& stage, const Box& dr
 
 /// With clearance, the grown frame is what touches.
 void draw_grown(cairo_t* canvas, const View& view, const Stage& stage, const Pose& pose, Color color) {
-    if (!(stage.options.clearance > 0.0)) {
+    if (!(stage.options.driving.clearance > 0.0)) {
         return;
     }
     const Saved saved(canvas);
     const std::array<double, 2> pattern = {0.5, 3.0};
     cairo_set_dash(canvas, pattern.data(), 2, 0.0);
-    trace_frame(canvas, view, stage.car, stage.slot, pose, stage.options.clearance);
+    trace_frame(canvas, view, stage.car, stage.slot, pose, stage.options.driving.clearance);
     stroke(canvas, color, 1.2);
 }
 
@@ -112,7 +112,8 @@ void draw_stage(cairo_t* canvas, const View& view, const Stage& stage, const Box
     draw_slot(canvas, view, stage.slot);
     for (const Leg& leg : stage.legs) {
         if (leg.move->contact) {
-            draw_contact(canvas, contact_point(view, stage.car, stage.slot, *leg.move, stage.options.clearance));
+            draw_contact(canvas,
+                         contact_point(view, stage.car, stage.slot, *leg.move, stage.options.driving.clearance));
         }
     }
     draw_paths(canvas, view, stage.car, stage.slot, stage.legs);
@@ -121,7 +122,7 @@ void draw_stage(cairo_t* canvas, const View& view, const Stage& stage, const Box
         room = free_road(view, stage, driven);
     }
     if (room) {
-        draw_contact_numbers(canvas, view, stage.car, stage.slot, stage.legs, stage.options.clearance);
+        draw_contact_numbers(canvas, view, stage.car, stage.slot, stage.legs, stage.options.driving.clearance);
         draw_enlarged_path(canvas, *room, stage.car, stage.slot, stage.legs);
     } else {
         draw_numbers(canvas, view, stage.slot, stage.legs, view.page());
@@ -189,7 +190,7 @@ std::string draw_driven(const Slot& slot, const Maneuver& maneuver, PictureForma
         draw_stage(canvas, view, stage, driven);
         draw_dimensions(canvas, view, slot, unit);
         draw_scale(canvas, view, slot);
-        draw_key(canvas, {page.x_min, page.y_max + key_height / 2 + 2.0}, view, options.clearance > 0.0);
+        draw_key(canvas, {page.x_min, page.y_max + key_height / 2 + 2.0}, view, options.driving.clearance > 0.0);
         draw_table(canvas, {margin, table_top}, page_width - 2 * margin, maneuver, slot, legs, unit);
     });
 }
@@ -225,7 +226,7 @@ std::string draw_unparked(const Car& car, const Slot& slot, std::string_view why
 }  // namespace
 }  // namespace drawing
 
-std::string draw_maneuver(const Car& car, const Slot& slot, const EntryAnswer& answer, PictureFormat format,
+std::string draw_maneuver(const Car& car, const Slot& slot, const Answer& answer, PictureFormat format,
                           const PictureOptions& options) {
     if (answer.maneuver && !answer.maneuver->moves.empty()) {
         return drawing::draw_driven(slot, *answer.maneuver, format, options);

@@ -85,9 +85,9 @@ cairo_matrix_t placed(const View& view, const Slot& slot, const Pose& pose) {
 
 Pose entry_position(const Car& car, const Slot& slot, double heading, const PictureOptions& options) {
     // Entering nose first is the mirror image of entering tail first: the other end of the car at the other corner.
-    const bool nose_first = options.enter == Enter::forward;
-    const double reach = (nose_first ? car.rear() : car.front()) + options.clearance;
-    const double side = car.width() / 2 + options.clearance;
+    const bool nose_first = options.driving.enter == Enter::forward;
+    const double reach = (nose_first ? car.rear() : car.front()) + options.driving.clearance;
+    const double side = car.width() / 2 + options.driving.clearance;
     const double x = -reach * std::cos(heading) - side * std::sin(heading);
     const double y = -reach * std::sin(heading) + side * std::cos(heading);
     return slot.to_world(nose_first ? Pose{-slot.length() - x, y, -heading} : Pose{x, y, heading});

@@ -7,8 +7,8 @@
 int main() {
     const snug::Car car = *snug::find_car("renault-zoe");
     const snug::Slot slot({.length = 5.2, .width = 1.9});
-    const snug::EntryAnswer answer = snug::entry(car, slot);
-    if (!answer.parkable) return 1;
+    const snug::Answer answer = snug::entry(car, slot);
+    if (!answer.parkable()) return 1;
     std::cout << std::fixed << std::setprecision(3);
     std::cout << *answer.direction_changes << " direction changes, entered with a heading from "
               << answer.ranges.front().min << " to " << answer.ranges.back().max << " rad\n";

@@ -13,8 +13,8 @@ int main() {
     // The slot is on the left of the road, 90 cm longer than the car and 20 cm wider.
     const snug::Slot slot({.length = car.length() + 0.9, .width = car.width() + 0.2, .side = snug::Side::left});
 
-    const snug::EntryAnswer answer = snug::entry(car, slot);
-    if (answer.parkable)
+    const snug::Answer answer = snug::entry(car, slot);
+    if (answer.parkable())
         std::printf("%s parks with %d direction changes\n", car.name().c_str(), *answer.direction_changes);
     else
         std::printf("%s does not park there\n", car.name().c_str());

@@ -12,13 +12,13 @@ int main() {
     const snug::Slot slot({.length = car.length() + 0.5, .width = car.width() + 0.2});
 
     // All headings from which the car parks with at most 7 direction changes.
-    const snug::EntryAnswer answer = snug::entry(car, slot, {.max_changes = 7});
+    const snug::Answer answer = snug::entry(car, slot, {.max_changes = 7});
     for (const snug::HeadingRange& range : answer.ranges)
         std::printf("%.2f to %.2f degrees: %d direction changes\n", range.min / degree, range.max / degree,
                     range.direction_changes);
 
     // A driver who may be off by half a degree wants a whole degree in which all goes well.
-    const snug::EntryAnswer roomy = snug::entry(car, slot, {.min_range = 1.0 * degree});
+    const snug::Answer roomy = snug::entry(car, slot, {.min_range = 1.0 * degree});
     std::printf("with half a degree to spare: %d direction changes\n", *roomy.direction_changes);
 }
 

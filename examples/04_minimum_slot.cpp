@@ -14,7 +14,7 @@ int main() {
     }
 
     // Whoever wants to stay 10 cm away from everything needs more.
-    const auto slot = snug::min_length(car, width, {.max_changes = 10, .clearance = 0.1});
+    const auto slot = snug::min_length(car, width, {.max_changes = 10, .driving = {.clearance = 0.1}});
     if (slot) std::printf("%17d   %.3f m, never nearer than 0.1 m to anything\n", 10, slot->length);
 }
 

@@ -10,9 +10,9 @@ int main() {
     const snug::Car car = *snug::find_car("renault-zoe");
     const snug::Slot slot({.length = 4.8, .width = 1.84});  // 7 cm wider than the car
 
-    if (!snug::entry(car, slot).parkable) std::puts("always steering as far as it goes: impossible");
+    if (!snug::entry(car, slot).parkable()) std::puts("always steering as far as it goes: impossible");
 
-    const snug::FewestAnswer answer = snug::fewest(car, slot);
+    const snug::Answer answer = snug::fewest(car, slot);
     if (answer.direction_changes) std::printf("steering at will: %d direction changes\n", *answer.direction_changes);
     std::printf("nobody can do it with fewer than %d\n", answer.lower_bound);
 }

@@ -9,7 +9,7 @@ int main() {
     // Where the car stands: 30 cm behind the car in front, 10 cm from the curb.
     const snug::Pose parked = snug::parked_pose(car, slot, {.front = 0.3, .curb = 0.1});
 
-    const snug::FewestAnswer out = snug::leave(car, slot, parked);
+    const snug::Answer out = snug::leave(car, slot, parked);
     if (!out.maneuver) return 1;
     std::printf("%d direction changes%s:\n", *out.direction_changes, out.proved ? ", and no way has fewer" : "");
     for (const snug::Move& move : out.maneuver->moves) {

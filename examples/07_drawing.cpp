@@ -8,7 +8,7 @@
 int main() {
     const snug::Car car = *snug::find_car("mid-size");
     const snug::Slot slot({.length = 5.3, .width = 2.2});
-    const snug::EntryAnswer answer = snug::entry(car, slot);
+    const snug::Answer answer = snug::entry(car, slot);
 
     // How to park. A picture is the bytes of a file: SVG or PDF to print and zoom, PNG to look at.
     std::ofstream("maneuver.svg", std::ios::binary) << snug::draw_maneuver(car, slot, answer, snug::PictureFormat::svg);

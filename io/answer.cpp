@@ -70,7 +70,7 @@ Json as_json(const Maneuver& maneuver) {
             {"moves", std::move(moves)}};
 }
 
-Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const EntryAnswer& answer) {
+Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const Answer& answer) {
     Json json = {{"schema", 1},
                  {"car", as_json(car)},
                  {"slot", as_json(slot)},
@@ -81,7 +81,7 @@ Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, cons
         json["max_changes"] = *options.max_changes;
     }
     if (!answer.cancelled) {
-        json["parkable"] = answer.parkable;
+        json["parkable"] = answer.parkable();
     }
     if (answer.direction_changes) {
         json["direction_changes"] = *answer.direction_changes;

@@ -7,7 +7,7 @@ namespace snug {
 
 namespace {
 
-void add_bounds(Json& json, const FewestAnswer& answer) {
+void add_bounds(Json& json, const Answer& answer) {
     if (answer.direction_changes) json["direction_changes"] = *answer.direction_changes;
     json["proved"] = answer.proved;
     json["lower_bound"] = answer.lower_bound;
@@ -15,7 +15,7 @@ void add_bounds(Json& json, const FewestAnswer& answer) {
 
 }  // namespace
 
-Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const FewestAnswer& answer) {
+Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const Answer& answer) {
     Json json = {{"schema", 1},          {"car", as_json(car)},    {"slot", as_json(slot)},
                  {"strategy", "fewest"}, {"max_changes", nullptr}, {"parkable", nullptr}};
     if (max_changes) json["max_changes"] = *max_changes;
@@ -26,7 +26,7 @@ Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, c
     return json;
 }
 
-Json leave_as_json(const Car& car, const Slot& slot, const FewestAnswer& answer) {
+Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer) {
     Json json = {{"schema", 1}, {"car", as_json(car)}, {"slot", as_json(slot)}};
     add_bounds(json, answer);
     if (answer.maneuver) json["maneuver"] = as_json(*answer.maneuver);

@@ -346,7 +346,7 @@ Narrowest narrowest_when_tight(const Car& car, Work& work) {
     for (double i = std::max(0.0, before); i < before + 20.0 && !found.stepped; i += 1.0) {
         const double extra = i * grids.width_step;
         const Slot wider({.length = car.length() + tight, .width = car.width() + extra});
-        if (entry(car, wider, options).parkable) found.stepped = extra;
+        if (entry(car, wider, options).parkable()) found.stepped = extra;
     }
     return found;
 }

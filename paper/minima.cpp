@@ -29,7 +29,7 @@ std::optional<double> first_length(const Car& car, double extra_width, int max_c
     for (double step = std::max(0.0, steps_to_exact - 1.0); step < steps_to_exact + 50.0; step += 1.0) {
         const double extra = on_grid(step * grids.length_step);
         const Slot slot({.length = car.length() + extra, .width = car.width() + extra_width});
-        if (entry(car, slot, options).parkable) return extra;
+        if (entry(car, slot, options).parkable()) return extra;
     }
     return std::nullopt;
 }

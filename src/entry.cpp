@@ -46,9 +46,9 @@ std::vector<HeadingRange> ranges_of(const std::vector<CountedHeadings>& found, i
     return ranges;
 }
 
-EntryAnswer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& options) {
-    EntryAnswer answer;
-    const FullSteering steering(entering_problem(car, slot, options.enter, options.clearance));
+Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& options) {
+    Answer answer;
+    const FullSteering steering(entering_problem(car, slot, options.driving.enter, options.driving.clearance));
     const double width = std::max(options.min_range, resolvable_range);
     Progress progress;
     if (options.progress) {
@@ -71,17 +71,15 @@ EntryAnswer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions
         }
     }
     if (!fewest || answer.cancelled) return answer;
-    answer.parkable = true;
     answer.direction_changes = fewest;
     answer.ranges = ranges_of(found, options.max_changes ? limit : *fewest, width);
-    const MaxSteerOptions drive = {*fewest, options.clearance, options.enter};
+    const MaxSteerOptions drive = {*fewest, options.driving};
     answer.maneuver = max_steer(car, slot, middle(*widest_range(answer.ranges, *fewest)), drive).maneuver;
     return answer;
 }
 
-EntryAnswer trials_answer(std::optional<Maneuver> maneuver) {
-    EntryAnswer answer;
-    answer.parkable = maneuver.has_value();
+Answer trials_answer(std::optional<Maneuver> maneuver) {
+    Answer answer;
     if (maneuver) answer.direction_changes = maneuver->direction_changes();
     answer.maneuver = std::move(maneuver);
     return answer;
@@ -89,15 +87,15 @@ EntryAnswer trials_answer(std::optional<Maneuver> maneuver) {
 
 }  // namespace
 
-EntryAnswer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
-    const MaxSteerOptions drive{options.max_changes.value_or(most_changes), options.clearance, options.enter};
+Answer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
+    const MaxSteerOptions drive{options.max_changes.value_or(most_changes), options.driving};
     check(drive);
     check_between("smallest range", options.min_range, 0.0, 1.5707963267948966, " rad");
     if (const auto* trials = std::get_if<ReversedTrials>(&options.strategy))
         return trials_answer(reversed_trials(car, slot, *trials, drive));
     if (const auto* trials = std::get_if<ParallelTrials>(&options.strategy))
         return trials_answer(parallel_trials(car, slot, *trials, drive));
-    const Shortfall lacks = shortfall(car, slot, options.clearance);
+    const Shortfall lacks = shortfall(car, slot, options.driving.clearance);
     if (lacks.length > 0.0 || lacks.width > 0.0) return {};
     if (const auto* steps = std::get_if<Stepping>(&options.strategy)) {
         return stepping_entry(car, slot, options, *steps);

@@ -64,19 +64,20 @@ std::optional<Maneuver> with_full_steering(const LeavingQuestion& question, cons
         return one.max - one.min < other.max - other.min;
     });
     if (widest == best.end()) return std::nullopt;
-    const MaxSteerOptions drive = {widest->changes, question.ground.clearance, question.ground.enter};
+    const MaxSteerOptions drive = {widest->changes, {question.ground.clearance, {}, question.ground.enter}};
     MaxSteerRun run = max_steer(car, slot, widest->min + (widest->max - widest->min) / 2.0, drive);
     if (run.outcome != Outcome::parked) return std::nullopt;
-    if (drive.enter == Enter::forward && !nose_stays_in(run.maneuver, slot, drive.clearance)) return std::nullopt;
+    if (drive.driving.enter == Enter::forward && !nose_stays_in(run.maneuver, slot, drive.driving.clearance))
+        return std::nullopt;
     return std::move(run.maneuver);
 }
 
 }  // namespace
 
-FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& options) {
+Answer fewest(const Car& car, const Slot& slot, const FewestOptions& options) {
     check(options);
-    if (!has_room(car, slot.length(), slot.width(), options.clearance)) return impossible(options.max_changes);
-    LeavingQuestion question = entering_question(car, slot, options.enter, options.clearance);
+    if (!has_room(car, slot.length(), slot.width(), options.driving.clearance)) return impossible(options.max_changes);
+    LeavingQuestion question = entering_question(car, slot, options.driving.enter, options.driving.clearance);
     question.max_changes = options.max_changes;
     question.resolution = options.resolution;
     LeavingBounds bounds;
@@ -102,7 +103,7 @@ FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& optio
         make_drivable(question, bounds, options.roomiest, watch);
     } catch (const GivenUp&) {  // the bounds are what is known
     }
-    FewestAnswer answer = answer_of(question, std::move(bounds), car, slot, true);
+    Answer answer = answer_of(question, std::move(bounds), car, slot, true);
     if (answer.direction_changes && !answer.maneuver) answer.maneuver = std::move(full_steering);
     return answer;
 }
@@ -113,15 +114,15 @@ FewestLength min_length_fewest(const Car& car, double width, const FewestLengthO
     check_between("precision", options.precision, 1e-9, 1e6, " m");
     FewestOptions of_each;
     of_each.max_changes = options.max_changes;
-    of_each.clearance = options.clearance;
+    of_each.driving.clearance = options.driving.clearance;
     of_each.resolution = options.resolution;
     check(of_each);
 
-    const double shortest = car.length() + 2.0 * options.clearance;
+    const double shortest = car.length() + 2.0 * options.driving.clearance;
     const double longest = car.length() + options.longest;
     FewestLength answer;
     answer.length_lower = shortest;
-    if (!has_room(car, longest, width, options.clearance)) {
+    if (!has_room(car, longest, width, options.driving.clearance)) {
         answer.length_lower = std::max(shortest, longest);
         return answer;
     }
@@ -133,8 +134,8 @@ FewestLength min_length_fewest(const Car& car, double width, const FewestLengthO
     };
     enum class Verdict { parks, impossible, undecided };
     const auto verdict = [&](double length) {
-        LeavingQuestion question =
-            entering_question(car, Slot({.length = length, .width = width}), options.enter, options.clearance);
+        LeavingQuestion question = entering_question(car, Slot({.length = length, .width = width}),
+                                                     options.driving.enter, options.driving.clearance);
         question.max_changes = options.max_changes;
         question.resolution = options.resolution > 0.0 ? options.resolution : 5e-4 * car.length();
         question.any_upper_will_do = true;
@@ -145,10 +146,10 @@ FewestLength min_length_fewest(const Car& car, double width, const FewestLengthO
         return bounds.lower > options.max_changes ? Verdict::impossible : Verdict::undecided;
     };
     try {
-        if (options.enter == Enter::backward) {  // the paper's strategy is a start
+        if (options.driving.enter == Enter::backward) {  // the paper's strategy is a start
             const std::optional<MinSlot> full_steering = min_length(
                 car, width,
-                {.max_changes = options.max_changes, .clearance = options.clearance, .longest = options.longest});
+                {.max_changes = options.max_changes, .driving = options.driving, .longest = options.longest});
             if (full_steering) answer.length = full_steering->length;
         }
         open = answer.length.value_or(longest);

@@ -62,14 +62,14 @@ Pose parked_pose(const Car& car, const Slot& slot, const ParkedGaps& gaps) {
     return slot.to_world(Pose{-gaps.front - box.x_max, gaps.curb - slot.width() - box.y_min, gaps.heading});
 }
 
-FewestAnswer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOptions& options) {
+Answer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOptions& options) {
     check(options);
     for (const double value : {pose.x, pose.y, pose.heading})
         check_between("pose of the parked car", value, -1e9, 1e9, "");
-    const Ground ground(car, slot, options.enter, options.clearance);
+    const Ground ground(car, slot, options.driving.enter, options.driving.clearance);
     Pose start = slot.to_slot(pose);
     start.heading = std::remainder(start.heading, full_turn);
-    if (options.enter == Enter::forward) start = {-slot.length() - start.x, start.y, -start.heading};
+    if (options.driving.enter == Enter::forward) start = {-slot.length() - start.x, start.y, -start.heading};
     check_parked(ground, start);
 
     // What bringing the pose into the slot's frame may do to it.
@@ -80,7 +80,7 @@ FewestAnswer leave(const Car& car, const Slot& slot, const Pose& pose, const Few
     // Above what rounding may have put into the curb.
     const double z = start.y + radius * angles::cos(start.heading) + 1e-10 * car.length();
     const LeavingQuestion question{ground,
-                                   entering_problem(car, slot, options.enter, options.clearance),
+                                   entering_problem(car, slot, options.driving.enter, options.driving.clearance),
                                    [z](Heights& heights) { heights.start_at(0, 0, z); },
                                    {start.x, angles::sin(start.heading)},
                                    options.max_changes,

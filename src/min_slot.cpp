@@ -43,9 +43,10 @@ public:
     SlotSearch(const Car& car, Sought sought, double given, const MinSlotOptions& options)
         : car_(car), sought_(sought), given_(given), options_(options) {
         const bool length = sought == Sought::length;
-        least_ = length ? car.length() + 2.0 * options.clearance : car.width() + options.clearance;
+        least_ = length ? car.length() + 2.0 * options.driving.clearance : car.width() + options.driving.clearance;
         most_ = least_ + (length ? options.longest : options.widest);
-        const double needed = length ? car.width() + options.clearance : car.length() + 2.0 * options.clearance;
+        const double needed =
+            length ? car.width() + options.driving.clearance : car.length() + 2.0 * options.driving.clearance;
         hopeless_ = given < needed;
     }
 
@@ -97,7 +98,7 @@ private:
     [[nodiscard]] FullSteering steering(double size) const {
         const bool length = sought_ == Sought::length;
         const Slot slot({.length = length ? size : given_, .width = length ? given_ : size});
-        return FullSteering(entering_problem(car_, slot, options_.enter, options_.clearance));
+        return FullSteering(entering_problem(car_, slot, options_.driving.enter, options_.driving.clearance));
     }
 
     [[nodiscard]] bool any_range_will_do() const { return options_.min_range <= resolvable_range; }
@@ -259,7 +260,7 @@ std::vector<std::optional<MinSlot>> smallest_slots(const Car& car, Sought sought
                                                    const std::vector<std::optional<MinSlot>>& neighbours) {
     check(options);
     check_between(sought == Sought::length ? "slot width" : "slot length", given, 1e-6, 1e6, " m");
-    for (const int changes : max_changes) check(MaxSteerOptions{changes, options.clearance, options.enter});
+    for (const int changes : max_changes) check(MaxSteerOptions{changes, options.driving});
     SlotSearch search(car, sought, given, options);
     std::vector<std::optional<MinSlot>> slots;
     for (std::size_t i = 0; i < max_changes.size(); ++i) {

@@ -54,7 +54,7 @@ std::vector<EntryRow> entries(const Car& car, const std::vector<Slot>& slots, co
             EntryOptions each = options;
             each.progress = [&](double) { return go_on(); };
             for (std::size_t i = first; i < last; ++i) {
-                const EntryAnswer answer = entry(car, slots[i], each);
+                const Answer answer = entry(car, slots[i], each);
                 if (answer.cancelled) return;
                 if (!answer.direction_changes) continue;
                 rows[i].direction_changes = answer.direction_changes;

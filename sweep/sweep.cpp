@@ -24,11 +24,11 @@ using Slots = std::vector<std::optional<MinSlot>>;
 
 /// The smallest slots for rising counts at one width (or length), given those of a neighbour or none; any, once the
 /// progress says not to go on.
-using Answer =
+using Rows =
     std::function<Slots(double given, const std::vector<int>& rising, const Slots& neighbours, Progress& progress)>;
 
 std::vector<MinSlotRow> sweep_over(const std::vector<double>& given, const std::vector<int>& max_changes,
-                                   std::size_t per_task, const SweepOptions& sweep, const Answer& answer) {
+                                   std::size_t per_task, const SweepOptions& sweep, const Rows& answer) {
     const std::set<int> counts(max_changes.begin(), max_changes.end());
     const std::vector<int> rising(counts.begin(), counts.end());
     std::vector<std::size_t> columns(given.size());
@@ -72,11 +72,12 @@ Slots slots_by_stepping(detail::Sought sought, const Car& car, double given, con
     EntryOptions question;
     question.progress = [&](double) { return progress.finished(0); };
     question.min_range = options.min_range;
-    question.clearance = options.clearance;
-    question.enter = options.enter;
+    question.driving = options.driving;
+    question.parked = options.parked;
     question.strategy = stepping;
     const bool length = sought == detail::Sought::length;
-    const double least = length ? car.length() + 2.0 * options.clearance : car.width() + options.clearance;
+    const double least =
+        length ? car.length() + 2.0 * options.driving.clearance : car.width() + options.driving.clearance;
     const double most = least + (length ? options.longest : options.widest) + 1e-9;
     Slots slots(rising.size());
     std::size_t open = rising.size();  // counts without a slot yet, the smaller ones
@@ -84,7 +85,7 @@ Slots slots_by_stepping(detail::Sought sought, const Car& car, double given, con
         const double size = std::round((least + i * step) * 1e12) / 1e12;  // 4.674, not 4.6739999999999995
         const Slot slot({.length = length ? size : given, .width = length ? given : size});
         question.max_changes = rising[open - 1];
-        const EntryAnswer found = entry(car, slot, question);
+        const Answer found = entry(car, slot, question);
         if (found.cancelled) break;
         if (!found.direction_changes) continue;
         const double heading = middle(*widest_range(found.ranges, *found.direction_changes));

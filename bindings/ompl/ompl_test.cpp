@@ -57,9 +57,9 @@ TEST(Ompl, AcceptsEveryManeuverOfThePapersStrategy) {
     for (const Asked& asked : cases(1, sample(300, 20000))) {
         SCOPED_TRACE(oracle::command_line(asked.chosen));
         EntryOptions options;
-        options.clearance = asked.chosen.clearance;
-        options.enter = asked.chosen.enter;
-        const EntryAnswer answer = entry(asked.car, asked.slot, options);
+        options.driving.clearance = asked.chosen.driving.clearance;
+        options.driving.enter = asked.chosen.driving.enter;
+        const Answer answer = entry(asked.car, asked.slot, options);
         if (!answer.maneuver) continue;
         ++parked;
         expect_accepted(*answer.maneuver, space_around(asked.car, asked.slot));
@@ -72,11 +72,11 @@ TEST(Ompl, AcceptsEveryManeuverWithTheFewestChanges) {
     for (const Asked& asked : cases(2, sample(20, 500))) {
         SCOPED_TRACE(oracle::command_line(asked.chosen));
         FewestOptions options;
-        options.clearance = asked.chosen.clearance;
-        options.enter = asked.chosen.enter;
+        options.driving.clearance = asked.chosen.driving.clearance;
+        options.driving.enter = asked.chosen.driving.enter;
         options.resolution = asked.car.length() / 500.0;
         options.max_changes = 20;
-        const FewestAnswer answer = fewest(asked.car, asked.slot, options);
+        const Answer answer = fewest(asked.car, asked.slot, options);
         if (!answer.maneuver) continue;
         ++parked;
         // Between two states a millimetre apart full steering takes the place of less, as OMPL counts it.
@@ -122,18 +122,17 @@ TEST(Ompl, SamplesEntryPositionsThatPark) {
     for (const Asked& asked : cases(4, sample(50, 2000))) {
         SCOPED_TRACE(oracle::command_line(asked.chosen));
         MaxSteerOptions driven;
-        driven.clearance = asked.chosen.clearance;
-        driven.enter = asked.chosen.enter;
+        driven.driving.clearance = asked.chosen.driving.clearance;
+        driven.driving.enter = asked.chosen.driving.enter;
         EntryOptions options;
-        options.clearance = driven.clearance;
-        options.enter = driven.enter;
+        options.driving = driven.driving;
         options.max_changes = 12;
-        const EntryAnswer answer = entry(asked.car, asked.slot, options);
-        if (!answer.parkable) continue;
+        const Answer answer = entry(asked.car, asked.slot, options);
+        if (!answer.parkable()) continue;
         const ob::SpaceInformationPtr space = space_around(asked.car, asked.slot);
         const EntryPositions goal(space, asked.car, asked.slot, answer.ranges, driven);
         const auto problem = oracle::make_problem<double>(asked.chosen.car, asked.slot.length(), asked.slot.width(),
-                                                          driven.clearance, driven.enter);
+                                                          driven.driving.clearance, driven.driving.enter);
         ob::State* state = space->allocState();
         for (int i = 0; i < 20; ++i) {
             goal.sampleGoal(state);
@@ -141,8 +140,8 @@ TEST(Ompl, SamplesEntryPositionsThatPark) {
             EXPECT_TRUE(goal.isSatisfied(state)) << goal.distanceGoal(state);
             const auto corners =
                 oracle::corners_at(problem.grown, oracle::into_slot(asked.chosen.slot, pose_of(state)));
-            const auto corner = corners[driven.enter == Enter::backward ? 3 : 2];
-            const double x = driven.enter == Enter::backward ? 0.0 : -asked.slot.length();
+            const auto corner = corners[driven.driving.enter == Enter::backward ? 3 : 2];
+            const double x = driven.driving.enter == Enter::backward ? 0.0 : -asked.slot.length();
             EXPECT_LT(std::hypot(corner.x - x, corner.y), 1e-9);
             EXPECT_LE(goal.maneuver(state).direction_changes(), 12);
             Pose off = pose_of(state);

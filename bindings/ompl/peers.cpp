@@ -14,7 +14,7 @@ namespace {
 struct Try {
     snug::Car car;
     snug::Slot slot;
-    snug::EntryAnswer answer;
+    snug::Answer answer;
 };
 
 /// Slots by how much longer than the car they are. [m]
@@ -39,8 +39,8 @@ std::vector<Try> random_slots(const Kind& kind, int count) {
         const snug::Car& car = cars[static_cast<std::size_t>(between(0.0, static_cast<double>(cars.size())))];
         const double length = car.length() + between(kind.least, kind.most);
         const snug::Slot slot({.length = length, .width = car.width() + between(0.1, 0.4)});
-        snug::EntryAnswer answer = entry(car, slot, wide_enough);
-        if (answer.parkable && *answer.direction_changes > 0) all.push_back({car, slot, std::move(answer)});
+        snug::Answer answer = entry(car, slot, wide_enough);
+        if (answer.parkable() && *answer.direction_changes > 0) all.push_back({car, slot, std::move(answer)});
     }
     return all;
 }

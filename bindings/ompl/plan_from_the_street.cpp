@@ -11,7 +11,7 @@ int main() {
     const snug::Slot slot({.length = 5.2, .width = 2.0});
 
     // All headings from which one direction change, the fewest, is enough: a goal that OMPL can sample.
-    const snug::EntryAnswer answer = snug::entry(car, slot);
+    const snug::Answer answer = snug::entry(car, slot);
     const auto space = snug::street(car, slot);
     const auto entries = std::make_shared<snug::EntryPositions>(space, car, slot, answer.ranges);
 

@@ -92,7 +92,7 @@ FreeOfTheSlot::FreeOfTheSlot(const ob::SpaceInformationPtr& space, const Car& ca
 
 bool FreeOfTheSlot::isValid(const ob::State* state) const {
     // A frame is its own mirror image: its corners come round the same way in a slot on the left.
-    const std::array<Point, 4> corners = frame(car_, slot_.to_slot(pose_of(state)));
+    const std::vector<Point> corners = frame(car_, slot_.to_slot(pose_of(state)));
     for (const Point& corner : corners) {
         if (corner.y < -slot_.width() - tolerance_) return false;
     }
@@ -124,7 +124,7 @@ unsigned int EntryPositions::maxSampleCount() const { return std::numeric_limits
 
 double EntryPositions::nearest_heading(const Pose& pose) const {
     const double turned = wrapped(slot_.to_slot(pose).heading);
-    const double heading = options_.enter == Enter::backward ? turned : -turned;
+    const double heading = options_.driving.enter == Enter::backward ? turned : -turned;
     double nearest = ranges_.front().min;
     for (const HeadingRange& range : ranges_) {
         const double inside = std::clamp(heading, range.min, range.max);

@@ -135,8 +135,8 @@ py::object entries(const Arguments& given) {
     EntryOptions options;
     given.read("max_changes", options.max_changes);
     given.read("min_range", options.min_range);
-    given.read("clearance", options.clearance);
-    given.read("enter", options.enter);
+    given.read("clearance", options.driving.clearance);
+    given.read("enter", options.driving.enter);
     given.read("strategy", options.strategy);
     SweepOptions sweep = sweep_options(given);
     Progress progress(given.callback("progress"));
@@ -162,8 +162,8 @@ py::object counts_from(const Arguments& given) {
     check_all("headings", headings, 0.0, 1.5707963267948966, " rad");
     MaxSteerOptions options;
     given.read("max_changes", options.max_changes);
-    given.read("clearance", options.clearance);
-    given.read("enter", options.enter);
+    given.read("clearance", options.driving.clearance);
+    given.read("enter", options.driving.enter);
     SweepOptions sweep = sweep_options(given);
     Progress progress(given.callback("progress"));
     const auto slot = given.get<py::object>("slot");
@@ -199,8 +199,8 @@ py::object min_slots(const Arguments& given, const char* name, const Sweep& ask)
     check_counts(counts, 100000);
     MinSlotOptions options;
     given.read("min_range", options.min_range);
-    given.read("clearance", options.clearance);
-    given.read("enter", options.enter);
+    given.read("clearance", options.driving.clearance);
+    given.read("enter", options.driving.enter);
     given.read("longest", options.longest);
     given.read("widest", options.widest);
     std::optional<Stepping> steps;
@@ -227,8 +227,8 @@ py::object min_lengths_of_all_maneuvers(const Arguments& given) {
     check_sizes("widths", widths);
     check_counts(counts, 1000);
     FewestLengthOptions options;
-    given.read("clearance", options.clearance);
-    given.read("enter", options.enter);
+    given.read("clearance", options.driving.clearance);
+    given.read("enter", options.driving.enter);
     given.read("longest", options.longest);
     given.read("precision", options.precision);
     given.read("resolution", options.resolution);

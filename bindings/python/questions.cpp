@@ -12,8 +12,8 @@ namespace {
 MaxSteerOptions max_steer_options(const Arguments& given) {
     MaxSteerOptions options;
     given.read("max_changes", options.max_changes);
-    given.read("clearance", options.clearance);
-    given.read("enter", options.enter);
+    given.read("clearance", options.driving.clearance);
+    given.read("enter", options.driving.enter);
     return options;
 }
 
@@ -178,19 +178,19 @@ void define_entry(py::module_& module) {
             "subrange", [](const HeadingRange& r) { return r.subrange; },
             "Ranges that touch share it: the paper's subranges.")
         .finish();
-    Value<EntryAnswer>(module, "EntryAnswer", "What entry() found.")
+    Value<Answer>(module, "Answer", "What entry() found.")
         .field(
-            "parkable", [](const EntryAnswer& a) { return a.parkable; }, "Whether the car parks.")
+            "parkable", [](const Answer& a) { return a.parkable(); }, "Whether the car parks.")
         .field(
-            "cancelled", [](const EntryAnswer& a) { return a.cancelled; }, "The progress callback gave up: no answer.")
+            "cancelled", [](const Answer& a) { return a.cancelled; }, "The progress callback gave up: no answer.")
         .field(
-            "direction_changes", [](const EntryAnswer& a) { return a.direction_changes; },
+            "direction_changes", [](const Answer& a) { return a.direction_changes; },
             "The fewest; None when not parkable.")
         .field(
-            "ranges", [](const EntryAnswer& a) { return py::tuple(py::cast(a.ranges)); },
+            "ranges", [](const Answer& a) { return py::tuple(py::cast(a.ranges)); },
             "A tuple of HeadingRange in rising order.")
         .field(
-            "maneuver", [](const EntryAnswer& a) { return a.maneuver; },
+            "maneuver", [](const Answer& a) { return a.maneuver; },
             "Fewest changes, from the middle of the widest best range; None when not parkable.")
         .finish();
     define(
@@ -198,7 +198,7 @@ void define_entry(py::module_& module) {
         "entry(car, slot, *, max_changes=None, min_range=0.0, clearance=0.0, enter='backward', strategy=None, "
         "progress=None)",
         "All entry headings in [0, pi/2] from which the car parks with the fewest direction changes (at most 200),\n"
-        "or with every count up to `max_changes`, as exact ranges, and one best maneuver. Returns an EntryAnswer.\n\n"
+        "or with every count up to `max_changes`, as exact ranges, and one best maneuver. Returns an Answer.\n\n"
         "`min_range` leaves out stretches of headings narrower than this [rad]; `clearance` grows the frame for\n"
         "contacts and for the entry position [m]; `enter` is 'backward', tail first, or 'forward'; `strategy` is a\n"
         "Stepping, ReversedTrials or ParallelTrials, None or MaxSteer for full steering until contact. `progress` is\n"
@@ -209,8 +209,8 @@ void define_entry(py::module_& module) {
             EntryOptions options;
             given.read("max_changes", options.max_changes);
             given.read("min_range", options.min_range);
-            given.read("clearance", options.clearance);
-            given.read("enter", options.enter);
+            given.read("clearance", options.driving.clearance);
+            given.read("enter", options.driving.enter);
             given.read("strategy", options.strategy);
             Progress progress(given.callback("progress"));
             options.progress = [&](double part) { return progress.tell(part); };
@@ -246,8 +246,8 @@ void define_min_slot(py::module_& module) {
         MinSlotOptions options;
         given.read("max_changes", options.max_changes);
         given.read("min_range", options.min_range);
-        given.read("clearance", options.clearance);
-        given.read("enter", options.enter);
+        given.read("clearance", options.driving.clearance);
+        given.read("enter", options.driving.enter);
         given.read("longest", options.longest);
         given.read("widest", options.widest);
         return options;
@@ -277,8 +277,8 @@ void define_min_slot(py::module_& module) {
 FewestOptions fewest_options(const Arguments& given) {
     FewestOptions options;
     given.read("max_changes", options.max_changes);
-    given.read("clearance", options.clearance);
-    given.read("enter", options.enter);
+    given.read("clearance", options.driving.clearance);
+    given.read("enter", options.driving.enter);
     given.read("resolution", options.resolution);
     std::optional<double> time_limit;
     given.read("time_limit", time_limit);
@@ -300,21 +300,21 @@ void define_fewest(py::module_& module) {
         .field(
             "part", [](const FewestProgress& p) { return p.part; }, "Of the time limit gone, 0 to 1.")
         .finish();
-    Value<FewestAnswer>(module, "FewestAnswer", "What fewest() or leave() found, and what is proved.")
+    Value<Answer>(module, "Answer", "What fewest() or leave() found, and what is proved.")
         .field(
-            "direction_changes", [](const FewestAnswer& a) { return a.direction_changes; },
+            "direction_changes", [](const Answer& a) { return a.direction_changes; },
             "What `maneuver` needs; None when no maneuver was found.")
         .field(
-            "lower_bound", [](const FewestAnswer& a) { return a.lower_bound; },
+            "lower_bound", [](const Answer& a) { return a.lower_bound; },
             "No maneuver whatsoever has fewer; more than max_changes: the car cannot park with as many as are allowed.")
         .field(
-            "proved", [](const FewestAnswer& a) { return a.proved; },
+            "proved", [](const Answer& a) { return a.proved; },
             "The two meet, or the lower bound exceeds what is allowed.")
         .field(
-            "maneuver", [](const FewestAnswer& a) { return a.maneuver; },
+            "maneuver", [](const Answer& a) { return a.maneuver; },
             "Few arcs and straight lines; of all with that many changes the roomiest found.")
         .field(
-            "spacing", [](const FewestAnswer& a) { return a.spacing; },
+            "spacing", [](const Answer& a) { return a.spacing; },
             "Of the finest lattice that was needed [m]; 0 if none was.")
         .finish();
     const std::string parameters =
@@ -324,7 +324,7 @@ void define_fewest(py::module_& module) {
         "`resolution` is the spacing of the finest lattice [m], 0 a ten-thousandth of the car's length; `time_limit` "
         "[s]\n"
         "ends with the bounds found so far; `roomiest=False` takes any maneuver with that many changes. `progress` is\n"
-        "told a FewestProgress; returning False ends with the bounds found so far. Returns a FewestAnswer.";
+        "told a FewestProgress; returning False ends with the bounds found so far. Returns a Answer.";
     define(
         module, "fewest(car, slot, " + parameters,
         "The smallest number of direction changes with which the car can enter the slot, whatever way it is steered\n"
@@ -386,8 +386,8 @@ void define_fewest(py::module_& module) {
                const auto width = given.get<double>("width");
                FewestLengthOptions options;
                given.read("max_changes", options.max_changes);
-               given.read("clearance", options.clearance);
-               given.read("enter", options.enter);
+               given.read("clearance", options.driving.clearance);
+               given.read("enter", options.driving.enter);
                given.read("longest", options.longest);
                given.read("precision", options.precision);
                given.read("resolution", options.resolution);

@@ -80,8 +80,8 @@ Slot slot_from(const val& object) {
 template <class Options>
 Options common(const val& object) {
     Options options;
-    options.clearance = number_given(object, "clearance").value_or(0.0);
-    options.enter = second_word(object, "enter", "backward", "forward") ? Enter::forward : Enter::backward;
+    options.driving.clearance = number_given(object, "clearance").value_or(0.0);
+    options.driving.enter = second_word(object, "enter", "backward", "forward") ? Enter::forward : Enter::backward;
     return options;
 }
 

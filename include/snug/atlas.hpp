@@ -27,10 +27,9 @@ struct AtlasOptions {
     AtlasStrategy strategy = AtlasStrategy::max_steer;
     /// As in EntryOptions (empty: the fewest, up to 200, and their headings; set: every count up to it) and FewestOptions.
     std::optional<int> max_changes = {};
-    double min_range = 0.0;         ///< max_steer: narrower stretches of headings are left out [rad]
-    double resolution = 0.0;        ///< fewest: spacing of the finest lattice [m]; 0: as fewest() chooses
-    double clearance = 0.0;         ///< grows the frame for contacts and for the entry position [m]
-    Enter enter = Enter::backward;  ///< tail or nose first
+    double min_range = 0.0;   ///< max_steer: narrower stretches of headings are left out [rad]
+    double resolution = 0.0;  ///< fewest: spacing of the finest lattice [m]; 0: as fewest() chooses
+    Driving driving = {};
 };
 
 /// A stored move: a Move without its poses, which drive() gives.

@@ -1,13 +1,13 @@
 // Car: the dimensions that decide how a car parks, checked, and the cars of the paper.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "snug/geometry.hpp"
+#include "snug/outline.hpp"
 
 namespace snug {
 
@@ -18,14 +18,19 @@ struct CarDimensions {
     double rear = 0.0;       ///< d_r: from the rear axle centre to the back [m]
     double wheelbase = 0.0;  ///< b: between the axles [m]
     double max_steer = 0.0;  ///< phi_max: largest steering angle [rad], between 0.1 and 89.9 degrees
+
+    friend bool operator==(const CarDimensions&, const CarDimensions&) = default;
 };
 
 /// A car that can exist. Lengths lie between 1e-6 and 1e6 m; the front may be shorter than the wheelbase, because a car
 /// entering nose first is solved as the car with front and rear swapped.
 class Car {
 public:
-    /// Throws Error when a dimension is impossible.
+    /// A rectangle, as in the paper. Throws Error when a dimension is impossible.
     explicit Car(const CarDimensions& dimensions, std::string name = {});
+    /// A car with this outline; its dimensions are how far it reaches. Throws Error when the rear axle's middle is not inside,
+    /// or a dimension is impossible.
+    Car(Outline outline, double wheelbase, double max_steer, std::string name = {});
 
     [[nodiscard]] double width() const { return dimensions_.width; }
     [[nodiscard]] double front() const { return dimensions_.front; }
@@ -34,6 +39,13 @@ public:
     [[nodiscard]] double max_steer() const { return dimensions_.max_steer; }
     [[nodiscard]] const CarDimensions& dimensions() const { return dimensions_; }
     [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] const Outline& outline() const { return outline_; }
+    /// The wheels' outer faces: level with the axles, as far out as the body is there. What a low curb stops. Where the front
+    /// axle lies ahead of the body, which only a car that somebody made up has, its wheels are as wide apart as the body.
+    [[nodiscard]] const Outline& wheels() const { return wheels_; }
+    /// The car seen in a mirror beside it, and the one that drives nose first where this one drives tail first.
+    [[nodiscard]] Car mirrored() const;
+    [[nodiscard]] Car turned_about() const;
 
     /// Bumper to bumper, d_f + d_r. [m]
     [[nodiscard]] double length() const { return dimensions_.front + dimensions_.rear; }
@@ -42,13 +54,19 @@ public:
     /// d = 2 sqrt((r + w/2)^2 + b^2): diameter of the outer front wheel's tightest circle, as data sheets print it. [m]
     [[nodiscard]] double curb_to_curb() const;
 
+    friend bool operator==(const Car&, const Car&) = default;
+
 private:
     CarDimensions dimensions_;
+    Outline outline_;
+    Outline wheels_;
     std::string name_;
 };
 
-/// Corners of the car frame at a pose, counter-clockwise: front-left, rear-left, rear-right, front-right. [m]
-std::array<Point, 4> frame(const Car& car, const Pose& pose);
+/// Corners of an outline at a pose, counter-clockwise from the front left. [m]
+std::vector<Point> placed(const Outline& outline, const Pose& pose);
+/// Corners of the car frame, which is its outline, at a pose. [m]
+std::vector<Point> frame(const Car& car, const Pose& pose);
 
 /// Steering angle [rad] whose rear axle centre turns with the given radius [m].
 double steer_for_turning_radius(double wheelbase, double radius);

@@ -20,8 +20,7 @@ std::optional<PictureFormat> picture_format(std::string_view file_name);
 
 /// What the answer was asked with.
 struct PictureOptions {
-    Enter enter = Enter::backward;  ///< tail or nose first
-    double clearance = 0.0;         ///< grows the frame for contacts and for the entry position [m]
+    Driving driving = {};
 };
 
 // All pictures lie in the slot's own frame with the road at the top, whatever the slot's corner and heading. A slot on
@@ -33,7 +32,7 @@ struct PictureOptions {
 
 /// The answer's maneuver: slot and neighbours, entry and goal, the path of the rear axle centre, the frame at every
 /// direction change, contacts, and a table of the moves. A car that cannot park stands at the parallel entry position.
-std::string draw_maneuver(const Car& car, const Slot& slot, const EntryAnswer& answer, PictureFormat format,
+std::string draw_maneuver(const Car& car, const Slot& slot, const Answer& answer, PictureFormat format,
                           const PictureOptions& options = {});
 
 /// The same for any maneuver. One without moves shows the car at the parallel entry position.
@@ -42,7 +41,7 @@ std::string draw_maneuver(const Slot& slot, const Maneuver& maneuver, PictureFor
 
 /// The paper's first two figures side by side: possible entry positions, and those found with their goal positions;
 /// below them the headings on a scale.
-std::string draw_entries(const Car& car, const Slot& slot, const EntryAnswer& answer, PictureFormat format,
+std::string draw_entries(const Car& car, const Slot& slot, const Answer& answer, PictureFormat format,
                          const PictureOptions& options = {});
 
 }  // namespace snug

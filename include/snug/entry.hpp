@@ -4,8 +4,8 @@
 #include <functional>
 #include <optional>
 #include <variant>
-#include <vector>
 
+#include "snug/answer.hpp"
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
@@ -21,37 +21,21 @@ struct MaxSteer {};
 /// How the car is driven between entry and goal. Trials start from a goal: they answer with a maneuver and no ranges.
 using Strategy = std::variant<MaxSteer, Stepping, ReversedTrials, ParallelTrials>;
 
-/// A maximal range of entry headings that park with the same number of direction changes. Both ends belong to it.
-struct HeadingRange {
-    double min = 0.0;           ///< [rad]
-    double max = 0.0;           ///< [rad]
-    int direction_changes = 0;  ///< what every heading of the range needs
-    int subrange = 0;           ///< ranges that touch (gap at most 1e-11 rad) share it: the paper's subranges
-};
-
 struct EntryOptions {
     /// Empty: Problem 1, the fewest changes (at most 200). Set: Problem 2, every count up to it. 0 to 100000.
     std::optional<int> max_changes = {};
-    double min_range = 0.0;         ///< leave out stretches of headings narrower than this [rad], 0 to pi/2
-    double clearance = 0.0;         ///< grows the frame for contacts and for the entry position [m]
-    Enter enter = Enter::backward;  ///< tail or nose first
+    double min_range = 0.0;  ///< leave out stretches of headings narrower than this [rad], 0 to pi/2
+    Driving driving = {};
+    Parked parked = {};  ///< what counts as parked
     Strategy strategy = MaxSteer{};
     /// Told the part done (0 to 1) from time to time on long questions; returning false gives the question up.
     std::function<bool(double)> progress = {};
 };
 
-struct EntryAnswer {
-    bool parkable = false;
-    bool cancelled = false;                ///< the progress callback gave up: no answer
-    std::optional<int> direction_changes;  ///< the fewest; empty when not parkable
-    std::vector<HeadingRange> ranges;      ///< in rising order
-    std::optional<Maneuver> maneuver;      ///< fewest changes, from the middle of the widest best range
-};
-
 /// All entry headings in [0, pi/2] from which the car parks with the fewest direction changes, or with at most
 /// `max_changes`, as exact ranges (edges to 1e-12 rad, rounded inward), and one best maneuver.
 /// Throws Error when an option is impossible.
-EntryAnswer entry(const Car& car, const Slot& slot, const EntryOptions& options = {});
+Answer entry(const Car& car, const Slot& slot, const EntryOptions& options = {});
 
 /// How much a slot lacks to hold the car at all, with the clearance it keeps from front, rear and curb. [m], 0 if nothing.
 struct Shortfall {

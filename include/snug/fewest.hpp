@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "snug/answer.hpp"
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
@@ -21,9 +22,9 @@ struct FewestProgress {
 };
 
 struct FewestOptions {
-    int max_changes = 200;          ///< direction changes allowed, 0 to 1000
-    double clearance = 0.0;         ///< grows the frame for contacts and for the entry position [m]
-    Enter enter = Enter::backward;  ///< tail or nose first
+    int max_changes = 200;  ///< direction changes allowed, 0 to 1000
+    Driving driving = {};
+    Parked parked = {};  ///< what counts as parked; leave() takes the car as it stands
     /// Spacing of the finest lattice the bounds are computed on [m]; 0: a ten-thousandth of the car's length. Coarser ones
     /// are tried first, and the search ends where the bounds meet.
     double resolution = 0.0;
@@ -33,27 +34,15 @@ struct FewestOptions {
     std::function<bool(const FewestProgress&)> progress = {};
 };
 
-struct FewestAnswer {
-    /// What `maneuver` needs; empty when no maneuver was found.
-    std::optional<int> direction_changes;
-    /// No maneuver whatsoever has fewer; more than max_changes: the car cannot park with as many as are allowed.
-    int lower_bound = 0;
-    /// The two meet, or the lower bound exceeds what is allowed.
-    bool proved = false;
-    /// Few arcs and straight lines with exact contacts. Of all maneuvers with that many changes it is the roomiest found,
-    /// the one that keeps the greatest distance from the neighbours and the curb.
-    std::optional<Maneuver> maneuver;
-    double spacing = 0.0;  ///< of the finest lattice that was needed [m]; 0 if none was
-};
-
 /// The smallest number of direction changes with which the car can enter the slot, whatever way it is steered within its
 /// limit and wherever it stops. The road is as wide as need be, and the first move goes backward. Nose first it goes
 /// forward, and once the nose's corner on the curb side has crossed the entry side it stays in; otherwise stopping and
 /// reversing in would answer the question. docs/fewest.md has the proof.
 ///
-/// The maneuver begins with the corner of the frame at the slot's corner wherever such a one is found, else above it.
+/// The maneuver has few arcs and straight lines with exact contacts; of all with that many changes it is the roomiest found, the
+/// one that keeps the greatest distance from the neighbours and the curb. It begins with the corner of the frame at the slot's corner wherever such a one is found, else above it.
 /// Throws Error when an option is impossible, or when the resolution would take more than about 4 GB of memory.
-FewestAnswer fewest(const Car& car, const Slot& slot, const FewestOptions& options = {});
+Answer fewest(const Car& car, const Slot& slot, const FewestOptions& options = {});
 
 /// A slot that is long enough, as far as it is known.
 struct FewestLength {
@@ -62,12 +51,12 @@ struct FewestLength {
 };
 
 struct FewestLengthOptions {
-    int max_changes = 0;            ///< direction changes allowed, 0 to 1000
-    double clearance = 0.0;         ///< grows the frame for contacts and for the entry position [m]
-    Enter enter = Enter::backward;  ///< tail or nose first
-    double longest = 4.0;           ///< give up where even this much more than the car's length is too short [m]
-    double precision = 1e-3;        ///< to which both lengths are found [m], as far as the resolution lets them
-    double resolution = 0.0;        ///< spacing of the finest lattice [m]; 0: a two-thousandth of the car's length
+    int max_changes = 0;  ///< direction changes allowed, 0 to 1000
+    Driving driving = {};
+    Parked parked = {};       ///< what counts as parked
+    double longest = 4.0;     ///< give up where even this much more than the car's length is too short [m]
+    double precision = 1e-3;  ///< to which both lengths are found [m], as far as the resolution lets them
+    double resolution = 0.0;  ///< spacing of the finest lattice [m]; 0: a two-thousandth of the car's length
     /// Told the part done (0 to 1) from time to time; returning false ends with what is known so far.
     std::function<bool(double)> progress = {};
 };

@@ -7,6 +7,8 @@ namespace snug {
 struct Point {
     double x = 0.0;
     double y = 0.0;
+
+    friend bool operator==(const Point&, const Point&) = default;
 };
 
 /// Where a car stands: the middle of its rear axle [m] and its heading [rad], counter-clockwise from the x axis.
@@ -14,6 +16,8 @@ struct Pose {
     double x = 0.0;
     double y = 0.0;
     double heading = 0.0;
+
+    friend bool operator==(const Pose&, const Pose&) = default;
 };
 
 /// An axis-parallel rectangle. [m]
@@ -22,6 +26,8 @@ struct Box {
     double x_max = 0.0;
     double y_min = 0.0;
     double y_max = 0.0;
+
+    friend bool operator==(const Box&, const Box&) = default;
 };
 
 }  // namespace snug

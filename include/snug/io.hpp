@@ -40,12 +40,12 @@ Json as_json(const Box& box);
 Json as_json(const Move& move);
 Json as_json(const Maneuver& maneuver);
 /// The answer of `snug entry --format json`.
-Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const EntryAnswer& answer);
+Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const Answer& answer);
 
 /// The answer of `snug entry --strategy fewest --format json`, with `proved` and `lower_bound`. `max_changes` as asked.
-Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const FewestAnswer& answer);
+Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const Answer& answer);
 /// The answer of `snug leave --format json`.
-Json leave_as_json(const Car& car, const Slot& slot, const FewestAnswer& answer);
+Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer);
 
 /// `snug entry --waypoints FILE.json`: `schema` and `waypoints`, a list of objects.
 Json as_json(const std::vector<Waypoint>& waypoints);

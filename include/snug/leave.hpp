@@ -19,10 +19,10 @@ struct ParkedGaps {
 Pose parked_pose(const Car& car, const Slot& slot, const ParkedGaps& gaps);
 
 /// The smallest number of direction changes with which a car parked at `pose` (world frame) can leave the slot, with
-/// proof as for fewest(). The maneuver starts at the pose and ends in a forward move (`options.enter` forward: backward)
+/// proof as for fewest(). The maneuver starts at the pose and ends in a forward move (`options.driving.enter` forward: backward)
 /// where the frame's corner is level with the slot's and the way on is free.
-/// Throws Error when an option is impossible, when the car is not inside the slot or not `options.clearance` away from
+/// Throws Error when an option is impossible, when the car is not inside the slot or not `options.driving.clearance` away from
 /// the neighbours and the curb, and when it is more than 1.2 rad off parallel.
-FewestAnswer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOptions& options = {});
+Answer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOptions& options = {});
 
 }  // namespace snug

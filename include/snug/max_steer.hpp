@@ -2,13 +2,11 @@
 #pragma once
 
 #include "snug/car.hpp"
+#include "snug/driving.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/slot.hpp"
 
 namespace snug {
-
-/// How the car goes into the slot: tail first, or nose first (solved as the mirrored slot and the swapped car).
-enum class Enter { backward, forward };
 
 /// How a run of the strategy ended.
 enum class Outcome {
@@ -20,9 +18,9 @@ enum class Outcome {
 };
 
 struct MaxSteerOptions {
-    int max_changes = 200;          ///< direction changes allowed, 0 to 100000
-    double clearance = 0.0;         ///< grows the frame for contacts and for the entry position [m]
-    Enter enter = Enter::backward;  ///< tail or nose first
+    int max_changes = 200;  ///< direction changes allowed, 0 to 100000
+    Driving driving = {};
+    Parked parked = {};  ///< what counts as parked
 };
 
 struct MaxSteerRun {

@@ -10,12 +10,12 @@
 namespace snug {
 
 struct MinSlotOptions {
-    int max_changes = 0;            ///< direction changes allowed, 0 to 100000
-    double min_range = 0.0;         ///< headings must park over a stretch at least this wide [rad], 0 to pi/2
-    double clearance = 0.0;         ///< grows the frame for contacts and for the entry position [m]
-    Enter enter = Enter::backward;  ///< tail or nose first
-    double longest = 4.0;           ///< give up where even this much more than the car's length is too short [m]
-    double widest = 4.0;            ///< likewise for the width [m]
+    int max_changes = 0;     ///< direction changes allowed, 0 to 100000
+    double min_range = 0.0;  ///< headings must park over a stretch at least this wide [rad], 0 to pi/2
+    Driving driving = {};
+    Parked parked = {};    ///< what counts as parked
+    double longest = 4.0;  ///< give up where even this much more than the car's length is too short [m]
+    double widest = 4.0;   ///< likewise for the width [m]
 };
 
 /// A slot that is just large enough, and an entry heading from which the car parks in it.

@@ -1,10 +1,12 @@
 // Everything: the exact solver for parallel parking.
 #pragma once
 
+#include "snug/answer.hpp"
 #include "snug/atlas.hpp"
 #include "snug/batch.hpp"
 #include "snug/car.hpp"
 #include "snug/contact.hpp"
+#include "snug/driving.hpp"
 #include "snug/entry.hpp"
 #include "snug/error.hpp"
 #include "snug/fewest.hpp"
@@ -13,6 +15,7 @@
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
 #include "snug/min_slot.hpp"
+#include "snug/outline.hpp"
 #include "snug/slot.hpp"
 #include "snug/stepping.hpp"
 #include "snug/trials.hpp"

@@ -24,11 +24,11 @@ struct CarPoint {
 };
 
 /// A stretch of headings.
-struct Headings {
+struct CellHeadings {
     double sine_from, cosine_from, sine_to, cosine_to;
     double bulge;  ///< an eighth of the greatest turn squared
 
-    Headings(double sine, double reach)
+    CellHeadings(double sine, double reach)
         : sine_from(sine - reach),
           cosine_from(cosine_of(sine_from)),
           sine_to(sine + reach),
@@ -108,7 +108,7 @@ void Lattice::measure_column(int d) {
     const Extents& car = problem_.touching;
     const bool cells = bound_ == Bound::lower;
     const double sine = this->sine(d);
-    const Headings headings(sine, cells ? sine_step_ : 0.0);  // of the cell
+    const CellHeadings headings(sine, cells ? sine_step_ : 0.0);  // of the cell
     const double least_cosine = headings.least_cosine();
     // How far a point of the car can be from where it is at the cell's middle, along and across.
     const double farthest = angles::hypot(std::max(car.front, car.rear), car.left);

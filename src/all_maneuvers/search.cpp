@@ -181,7 +181,7 @@ void make_drivable(const LeavingQuestion& question, LeavingBounds& bounds, bool 
 
 void check(const FewestOptions& options) {
     check_between("maximum of direction changes", options.max_changes, 0.0, most_changes, "");
-    check_between("clearance", options.clearance, 0.0, 1e6, " m");
+    check_between("clearance", options.driving.clearance, 0.0, 1e6, " m");
     check_between("resolution", options.resolution, 0.0, 1e6, " m");
     check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
 }
@@ -195,16 +195,16 @@ Watch watch_of(const FewestOptions& options, const LeavingBounds& bounds) {
     };
 }
 
-FewestAnswer impossible(int max_changes) {
-    FewestAnswer answer;
+Answer impossible(int max_changes) {
+    Answer answer;
     answer.lower_bound = max_changes + 1;
     answer.proved = true;
     return answer;
 }
 
-FewestAnswer answer_of(const LeavingQuestion& question, LeavingBounds bounds, const Car& car, const Slot& slot,
-                       bool driven_in) {
-    FewestAnswer answer;
+Answer answer_of(const LeavingQuestion& question, LeavingBounds bounds, const Car& car, const Slot& slot,
+                 bool driven_in) {
+    Answer answer;
     answer.direction_changes = bounds.upper;
     answer.lower_bound = bounds.lower;
     answer.proved = bounds.meet() || bounds.lower > question.max_changes;

@@ -49,10 +49,10 @@ void check(const FewestOptions& options);
 /// Whether the car, flush with the curb or with what it keeps from it, can only go straight on.
 inline bool never_turns(const Car& car) { return car.front() > 0.0 && car.rear() > 0.0; }
 /// Proved impossible without a search.
-FewestAnswer impossible(int max_changes);
+Answer impossible(int max_changes);
 /// The bounds as an answer; `from_entry` when the moves are to be driven in.
-FewestAnswer answer_of(const LeavingQuestion& question, LeavingBounds bounds, const Car& car, const Slot& slot,
-                       bool driven_in);
+Answer answer_of(const LeavingQuestion& question, LeavingBounds bounds, const Car& car, const Slot& slot,
+                 bool driven_in);
 /// Looks at the clock and tells the callback; both must outlive it.
 Watch watch_of(const FewestOptions& options, const LeavingBounds& bounds);
 

@@ -62,7 +62,7 @@ Contact to_world(const Slot& slot, Enter enter, const Contact& contact) {
 
 void check(const MaxSteerOptions& options) {
     check_between("maximum of direction changes", options.max_changes, 0.0, 100000.0, "");
-    check_between("clearance", options.clearance, 0.0, 1e6, " m");
+    check_between("clearance", options.driving.clearance, 0.0, 1e6, " m");
 }
 
 void check_entry_heading(double heading) { check_between("entry heading", heading, 0.0, 1.5707963267948966, " rad"); }

@@ -95,7 +95,7 @@ using namespace detail;
 
 std::vector<int> drive_all(const Car& car, const Slot& first, const std::vector<Slot>* slots,
                            const std::vector<double>& headings, const MaxSteerOptions& options) {
-    FullSteering steering(entering_problem(car, first, options.enter, options.clearance));
+    FullSteering steering(entering_problem(car, first, options.driving.enter, options.driving.clearance));
     Cases cases(steering, headings, slots, options.max_changes);
     detail::drive_all(cases);
     return std::move(cases.answers());

@@ -6,14 +6,9 @@
 #include <vector>
 
 #include "full_steering/full_steering.hpp"
+#include "snug/answer.hpp"
 
 namespace snug::detail {
-
-/// A closed range of headings. [rad]
-struct Headings {
-    double min = 0.0;
-    double max = 0.0;
-};
 
 /// A closed range of headings that all park with the same number of changes.
 struct CountedHeadings {

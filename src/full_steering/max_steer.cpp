@@ -39,7 +39,7 @@ MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const Ma
     check(options);
     check_entry_heading(heading);
     MaxSteerRun run{Outcome::no_entry, {car, {}}};
-    const FullSteering steering(entering_problem(car, slot, options.enter, options.clearance));
+    const FullSteering steering(entering_problem(car, slot, options.driving.enter, options.driving.clearance));
     const std::vector<Headings> possible = possible_headings(steering.problem);
     if (std::none_of(possible.begin(), possible.end(),
                      [heading](const Headings& range) { return range.min <= heading && heading <= range.max; }))
@@ -73,14 +73,14 @@ MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const Ma
 
         const double offset = backward ? radius : -radius;
         Move move;
-        move.direction = entering_direction(options.enter, backward ? Direction::backward : Direction::forward);
+        move.direction = entering_direction(options.driving.enter, backward ? Direction::backward : Direction::forward);
         move.steering_angle = slot.mirrored(backward ? car.max_steer() : -car.max_steer());
-        move.start = to_world(slot, options.enter, pose);
+        move.start = to_world(slot, options.driving.enter, pose);
         const double turned_to = end.angle();
         move.length = radius * (pose.heading - turned_to);
         pose = {centre_x + offset * end.sine(), centre_y - offset * end.cosine(), turned_to};
-        move.end = to_world(slot, options.enter, pose);
-        if (touches) move.contact = to_world(slot, options.enter, contact_of(full.meets, full.quarter));
+        move.end = to_world(slot, options.driving.enter, pose);
+        if (touches) move.contact = to_world(slot, options.driving.enter, contact_of(full.meets, full.quarter));
         run.maneuver.moves.push_back(move);
         if (parked) {
             run.outcome = Outcome::parked;

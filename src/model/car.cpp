@@ -1,7 +1,9 @@
 // Which cars can exist, how tightly they turn, and the five cars of the paper.
 #include "snug/car.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -29,14 +31,70 @@ void check_steer(double max_steer) {
                 " degrees");
 }
 
-}  // namespace
-
-Car::Car(const CarDimensions& dimensions, std::string name) : dimensions_(dimensions), name_(std::move(name)) {
+CarDimensions checked(const CarDimensions& dimensions) {
     check_between("car width", dimensions.width, shortest, longest, " m");
     check_between("car front", dimensions.front, shortest, longest, " m");
     check_between("car rear", dimensions.rear, shortest, longest, " m");
     check_between("car wheelbase", dimensions.wheelbase, shortest, longest, " m");
     check_steer(dimensions.max_steer);
+    return dimensions;
+}
+
+/// How far the outline reaches to either side, level with x.
+struct Sides {
+    double left = -longest;
+    double right = -longest;
+};
+Sides sides_at(const Outline& outline, double x) {
+    Sides sides;
+    const std::vector<Point>& corners = outline.corners();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point& from = corners[i];
+        const Point& to = corners[(i + 1) % corners.size()];
+        if (x < std::min(from.x, to.x) || x > std::max(from.x, to.x)) continue;
+        const double part = to.x == from.x ? 0.0 : (x - from.x) / (to.x - from.x);
+        const double y = from.y + part * (to.y - from.y);
+        sides.left = std::max({sides.left, y, to.x == x ? to.y : y});
+        sides.right = std::max({sides.right, -y, to.x == x ? -to.y : -y});
+    }
+    return sides;
+}
+
+Outline wheels_of(const Outline& body, double wheelbase) {
+    const Sides behind = sides_at(body, 0.0);
+    if (!(behind.left > 0.0 && behind.right > 0.0))
+        throw Error("the rear axle's middle, (0, 0), lies outside the outline, but must lie inside");
+    const Sides ahead = wheelbase < body.front() ? sides_at(body, wheelbase) : Sides{body.left(), body.right()};
+    return Outline({{wheelbase, ahead.left}, {0.0, behind.left}, {0.0, -behind.right}, {wheelbase, -ahead.right}});
+}
+
+}  // namespace
+
+Car::Car(const CarDimensions& dimensions, std::string name)
+    : dimensions_(checked(dimensions)),
+      outline_(Outline::rectangle(dimensions.front, dimensions.rear, dimensions.width / 2.0)),
+      wheels_(wheels_of(outline_, dimensions.wheelbase)),
+      name_(std::move(name)) {}
+
+Car::Car(Outline outline, double wheelbase, double max_steer, std::string name)
+    : dimensions_(checked({outline.left() + outline.right(), outline.front(), outline.rear(), wheelbase, max_steer})),
+      outline_(std::move(outline)),
+      wheels_(wheels_of(outline_, wheelbase)),
+      name_(std::move(name)) {}
+
+Car Car::mirrored() const {
+    Car other = *this;
+    other.outline_ = outline_.mirrored();
+    other.wheels_ = wheels_.mirrored();
+    return other;
+}
+
+Car Car::turned_about() const {
+    Car other = *this;
+    other.outline_ = outline_.turned_about();
+    other.wheels_ = wheels_.turned_about();
+    std::swap(other.dimensions_.front, other.dimensions_.rear);
+    return other;
 }
 
 double Car::turning_radius() const { return dimensions_.wheelbase / angles::tan(dimensions_.max_steer); }
@@ -45,17 +103,16 @@ double Car::curb_to_curb() const {
     return 2.0 * angles::hypot(turning_radius() + dimensions_.width / 2.0, dimensions_.wheelbase);
 }
 
-std::array<Point, 4> frame(const Car& car, const Pose& pose) {
-    const angles::SineCosine heading = angles::sine_cosine(pose.heading);
-    const double c = heading.cosine;
-    const double s = heading.sine;
-    const double half = car.width() / 2.0;
-    const auto corner = [&](double ahead, double left) {
-        return Point{pose.x + ahead * c - left * s, pose.y + ahead * s + left * c};
-    };
-    return {corner(car.front(), half), corner(-car.rear(), half), corner(-car.rear(), -half),
-            corner(car.front(), -half)};
+std::vector<Point> placed(const Outline& outline, const Pose& pose) {
+    const auto [s, c] = angles::sine_cosine(pose.heading);
+    std::vector<Point> corners;
+    corners.reserve(outline.corners().size());
+    for (const Point& corner : outline.corners())
+        corners.push_back({pose.x + corner.x * c - corner.y * s, pose.y + corner.x * s + corner.y * c});
+    return corners;
 }
+
+std::vector<Point> frame(const Car& car, const Pose& pose) { return placed(car.outline(), pose); }
 
 double steer_for_turning_radius(double wheelbase, double radius) { return angles::atan2(wheelbase, radius); }
 

@@ -46,7 +46,7 @@ void cover_move(GrowingBox& swept, const Car& car, const Move& move) {
     const double lowest = std::min(move.start.heading, move.start.heading + turn);
     const double highest = std::max(move.start.heading, move.start.heading + turn);
 
-    const std::array<Point, 4> corners = frame(car, Pose{});  // x ahead of the rear axle centre, y to its left
+    const std::vector<Point>& corners = car.outline().corners();  // x ahead of the rear axle centre, y to its left
     for (std::size_t i = 0; i < corners.size(); ++i) {
         // Seen from the car, the corner always moves the same way; it moves along an axis of the world whenever
         // heading + drift is a whole number of quarter turns.
@@ -58,7 +58,9 @@ void cover_move(GrowingBox& swept, const Car& car, const Move& move) {
                 break;
             }
             const double distance = std::abs((heading - move.start.heading) / curvature);
-            swept.cover(frame(car, drive(car, move.start, move.direction, move.steering_angle, distance))[i]);
+            const Pose pose = drive(car, move.start, move.direction, move.steering_angle, distance);
+            const auto [s, c] = angles::sine_cosine(pose.heading);
+            swept.cover({pose.x + corners[i].x * c - corners[i].y * s, pose.y + corners[i].x * s + corners[i].y * c});
         }
     }
 }
@@ -159,8 +161,8 @@ Box swept(const Maneuver& maneuver) {
 }
 
 Box swept(const Maneuver& maneuver, const Slot& slot) {
-    // The frame is its own mirror image, so a left-hand slot needs the moves mirrored, not the car.
     Maneuver in_slot = maneuver;
+    if (slot.side() == Side::left) in_slot.car = maneuver.car.mirrored();
     for (Move& move : in_slot.moves) {
         move.start = slot.to_slot(move.start);
         move.end = slot.to_slot(move.end);

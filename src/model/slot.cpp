@@ -21,6 +21,8 @@ Slot::Slot(const SlotDimensions& dimensions) : dimensions_(dimensions) {
     check_between("slot corner x", dimensions.corner.x, -farthest, farthest, " m");
     check_between("slot corner y", dimensions.corner.y, -farthest, farthest, " m");
     check_between("slot heading", dimensions.heading, -farthest, farthest, " rad");
+    check_between("setback of the front neighbour", dimensions.front_setback, 0.0, dimensions.width, " m");
+    check_between("setback of the rear neighbour", dimensions.rear_setback, 0.0, dimensions.width, " m");
 }
 
 Point Slot::to_world(const Point& in_slot) const {

@@ -105,7 +105,7 @@ TEST(AtlasBuild, CellsAreWhatEntryAnswers) {
         SCOPED_TRACE(database.plan().cars[car].name() + " " + std::to_string(length) + " x " + std::to_string(width));
         const std::optional<CellAnswer> stored = database.cell(car, width, length);
         ASSERT_TRUE(stored);
-        const EntryAnswer fresh = entry(*find_car(database.plan().cars[car].name()), Slot({length, width}));
+        const Answer fresh = entry(*find_car(database.plan().cars[car].name()), Slot({length, width}));
         ASSERT_EQ(stored->direction_changes, fresh.direction_changes);
         ASSERT_EQ(stored->ranges.size(), fresh.ranges.size());
         for (std::size_t k = 0; k < fresh.ranges.size(); ++k) {
@@ -140,8 +140,8 @@ TEST(AtlasBuild, CellsAreWhatFewestAnswers) {
         SCOPED_TRACE(database.plan().cars[car].name() + " " + std::to_string(length) + " x " + std::to_string(width));
         const std::optional<CellAnswer> stored = database.cell(car, width, length);
         ASSERT_TRUE(stored);
-        const FewestAnswer fresh = fewest(*find_car(database.plan().cars[car].name()), Slot({length, width}),
-                                          {.max_changes = 12, .resolution = 0.01});
+        const Answer fresh = fewest(*find_car(database.plan().cars[car].name()), Slot({length, width}),
+                                    {.max_changes = 12, .resolution = 0.01});
         ASSERT_EQ(stored->direction_changes, fresh.direction_changes);
         ASSERT_EQ(stored->lower_bound, fresh.lower_bound);
         ASSERT_EQ(stored->proved, fresh.proved);
@@ -283,9 +283,9 @@ TEST(AtlasBuild, NeverMixes) {
     expect("another strategy: max-steer, not fewest",
            [](AtlasPlan& plan) { plan.options.strategy = AtlasStrategy::fewest; });
     expect("maximum of direction changes: none given, not 10", [](AtlasPlan& plan) { plan.options.max_changes = 10; });
-    expect("clearance: 0 m, not 0.1 m", [](AtlasPlan& plan) { plan.options.clearance = 0.1; });
+    expect("clearance: 0 m, not 0.1 m", [](AtlasPlan& plan) { plan.options.driving.clearance = 0.1; });
     expect("least range of headings: 0 rad, not 0.001 rad", [](AtlasPlan& plan) { plan.options.min_range = 0.001; });
-    expect("way in: backward, not forward", [](AtlasPlan& plan) { plan.options.enter = Enter::forward; });
+    expect("way in: backward, not forward", [](AtlasPlan& plan) { plan.options.driving.enter = Enter::forward; });
     expect("the width 1.9 m", [](AtlasPlan& plan) { plan.widths.erase(plan.widths.begin() + 1); });
     expect("the length 4.4 m", [](AtlasPlan& plan) { plan.lengths = {5.0}; });
     expect("another car called \"renault-zoe\"",

@@ -109,8 +109,8 @@ inline WrittenAtlas random_atlas(Random& random, int most_cars = 4, int most_wid
     if (random.chance(0.5)) options.max_changes = random.below(30);
     if (random.chance(0.5)) options.min_range = random.unit();
     if (random.chance(0.5)) options.resolution = random.unit();
-    if (random.chance(0.5)) options.clearance = random.unit();
-    if (random.chance(0.5)) options.enter = Enter::forward;
+    if (random.chance(0.5)) options.driving.clearance = random.unit();
+    if (random.chance(0.5)) options.driving.enter = Enter::forward;
     for (const Car& car : atlas.plan.cars)
         for (std::size_t i = 0; i < atlas.plan.widths.size() * atlas.plan.lengths.size(); ++i)
             atlas.answers.push_back(random_answer(random, car, options));

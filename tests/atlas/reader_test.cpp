@@ -36,8 +36,8 @@ void expect_same(const WrittenAtlas& written, const Atlas& read) {
     EXPECT_EQ(read.options().max_changes, plan.options.max_changes);
     EXPECT_EQ(read.options().min_range, plan.options.min_range);
     EXPECT_EQ(read.options().resolution, plan.options.resolution);
-    EXPECT_EQ(read.options().clearance, plan.options.clearance);
-    EXPECT_EQ(read.options().enter, plan.options.enter);
+    EXPECT_EQ(read.options().driving.clearance, plan.options.driving.clearance);
+    EXPECT_EQ(read.options().driving.enter, plan.options.driving.enter);
     ASSERT_EQ(read.cars(), plan.cars.size());
     ASSERT_EQ(read.widths(), plan.widths.size());
     ASSERT_EQ(read.lengths(), plan.lengths.size());
@@ -177,9 +177,8 @@ TEST(AtlasReader, LooksUpWhatASearchOfAllSlotsFinds) {
 
 /// What entry() finds, as a cell.
 CellAnswer solved(const Car& car, double length, double width, const AtlasOptions& options) {
-    const EntryAnswer found =
-        entry(car, Slot({.length = length, .width = width}),
-              {.max_changes = options.max_changes, .clearance = options.clearance, .enter = options.enter});
+    const Answer found = entry(car, Slot({.length = length, .width = width}),
+                               {.max_changes = options.max_changes, .driving = options.driving});
     CellAnswer answer;
     answer.direction_changes = found.direction_changes;
     answer.ranges = found.ranges;
@@ -193,7 +192,7 @@ CellAnswer solved(const Car& car, double length, double width, const AtlasOption
 WrittenAtlas solved_atlas(Enter enter) {
     WrittenAtlas atlas;
     atlas.plan.cars = {*find_car("mid-size"), *find_car("renault-zoe")};
-    atlas.plan.options.enter = enter;
+    atlas.plan.options.driving.enter = enter;
     for (int i = 0; i < 6; ++i) atlas.plan.widths.push_back(1.9 + 0.15 * i + (enter == Enter::forward ? 1.5 : 0.0));
     for (int i = 0; i < 8; ++i) atlas.plan.lengths.push_back(4.5 + 0.2 * i + (enter == Enter::forward ? 1.5 : 0.0));
     for (const Car& car : atlas.plan.cars)
@@ -226,7 +225,7 @@ TEST(AtlasReader, AStoredManeuverIsTheSolversInAnySlotOfItsSize) {
             const Slot slot = random_slot(random, cell.length(), cell.width());
             const Car car = atlas.car(c);
             const Maneuver stored = maneuver(cell, car, slot);
-            const EntryAnswer fresh = entry(car, slot, {.enter = enter});
+            const Answer fresh = entry(car, slot, {.driving = {.enter = enter}});
             ASSERT_EQ(fresh.direction_changes, cell.direction_changes());
             ASSERT_EQ(fresh.maneuver ? fresh.maneuver->moves.size() : 0, stored.moves.size());
             if (!fresh.maneuver) continue;
@@ -272,7 +271,7 @@ TEST(AtlasReader, AStoredManeuverIsFreeOfContactInTheRealSlot) {
             oracle::Case asked;
             asked.car = driven.car.dimensions();
             asked.slot = slot.dimensions();
-            asked.enter = enter;
+            asked.driving.enter = enter;
             for (const std::string& fault : oracle::faults(asked, driven, *answer.cell.direction_changes()))
                 ADD_FAILURE() << fault;
         }
@@ -365,7 +364,7 @@ TEST(AtlasWriter, RefusesPlansThatAreNone) {
     EXPECT_EQ(with([](auto& plan) { plan.lengths[1] = no_number; }),
               "slot length is nan m, but must lie between 1e-06 and 1000000 m");
     EXPECT_NE(with([](auto& plan) { plan.options.max_changes = -1; }), "");
-    EXPECT_NE(with([](auto& plan) { plan.options.clearance = no_number; }), "");
+    EXPECT_NE(with([](auto& plan) { plan.options.driving.clearance = no_number; }), "");
     EXPECT_NE(said(good, std::string(33, '1')).find("at most 32"), std::string::npos);
     AtlasPlan large = good;
     large.widths.clear();

@@ -50,8 +50,8 @@ MaxSteerOptions random_options(Random& random) {
     constexpr int limits[] = {200, 200, 200, 0, 1, 2, 3, 30};
     MaxSteerOptions options;
     options.max_changes = limits[random.below(8)];
-    if (random.chance(0.2)) options.clearance = random.between(0.0, 0.1);
-    if (random.chance(0.3)) options.enter = Enter::forward;
+    if (random.chance(0.2)) options.driving.clearance = random.between(0.0, 0.1);
+    if (random.chance(0.3)) options.driving.enter = Enter::forward;
     return options;
 }
 
@@ -172,7 +172,8 @@ TEST(Batch, ImpossibleHeadingsAreNamedByTheirIndex) {
 TEST(Batch, ImpossibleOptionsAreRefusedEvenWithoutCases) {
     for (const MaxSteerOptions& bad :
          {MaxSteerOptions{.max_changes = -1}, MaxSteerOptions{.max_changes = 100001},
-          MaxSteerOptions{.clearance = -0.1}, MaxSteerOptions{.clearance = std::numeric_limits<double>::quiet_NaN()}}) {
+          MaxSteerOptions{.driving = {.clearance = -0.1}},
+          MaxSteerOptions{.driving = {.clearance = std::numeric_limits<double>::quiet_NaN()}}}) {
         EXPECT_THROW((void)direction_changes(zoe, short_slot, {}, bad), Error);
         EXPECT_THROW((void)direction_changes(zoe, std::vector<Slot>{}, {}, bad), Error);
     }

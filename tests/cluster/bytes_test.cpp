@@ -33,7 +33,8 @@ TEST(Bytes, AnswersArriveAsTheyWere) {
 }
 
 TEST(Bytes, TasksArriveAsTheyWere) {
-    const Task task = {{catalogue(), {}, {}, {.max_changes = 7, .clearance = 0.1, .enter = Enter::forward}}, 3};
+    const Task task = {
+        {catalogue(), {}, {}, {.max_changes = 7, .driving = {.clearance = 0.1, .enter = Enter::forward}}}, 3};
     const Task back = task_from(to_bytes(task));
     EXPECT_EQ(to_bytes(back), to_bytes(task));
     EXPECT_EQ(back.plan.cars[2].name(), task.plan.cars[2].name());

@@ -47,9 +47,8 @@ Maneuver shuffle(const Car& car, const Slot& slot, int moves, Direction first = 
     return maneuver;
 }
 
-EntryAnswer answer_with(const Maneuver& maneuver) {
-    EntryAnswer answer;
-    answer.parkable = true;
+Answer answer_with(const Maneuver& maneuver) {
+    Answer answer;
     answer.direction_changes = maneuver.direction_changes();
     answer.ranges = {{0.30, 0.31, maneuver.direction_changes(), 0},
                      {0.31, 0.31000001, maneuver.direction_changes() + 2, 0}};
@@ -176,7 +175,7 @@ TEST(Picture, IsAWholeFileForEveryCarAndSideInBothViews) {
     for (const Car& car : catalogue()) {
         for (const Side side : {Side::right, Side::left}) {
             const Slot slot = roomy(car, side);
-            const EntryAnswer answer = answer_with(shuffle(car, slot, 7));
+            const Answer answer = answer_with(shuffle(car, slot, 7));
             for (const PictureFormat format : formats) {
                 expect_whole(draw_maneuver(car, slot, answer, format), format);
                 expect_whole(draw_entries(car, slot, answer, format), format);
@@ -209,7 +208,7 @@ TEST(Picture, SaysInItsTitleWhatItShows) {
 TEST(Picture, IsTheSameBytesEachTime) {
     const Car car = *find_car("opel-corsa");
     const Slot slot = roomy(car);
-    const EntryAnswer answer = answer_with(shuffle(car, slot, 9));
+    const Answer answer = answer_with(shuffle(car, slot, 9));
     for (const PictureFormat format : formats) {
         EXPECT_EQ(draw_maneuver(car, slot, answer, format), draw_maneuver(car, slot, answer, format));
         EXPECT_EQ(draw_entries(car, slot, answer, format), draw_entries(car, slot, answer, format));
@@ -267,8 +266,8 @@ TEST(Picture, OfACarThatEntersNoseFirst) {
     const Car car = *find_car("mid-size");
     for (const Side side : {Side::right, Side::left}) {
         const Slot slot = roomy(car, side);
-        const EntryAnswer answer = answer_with(shuffle(car, slot, 6, Direction::forward));
-        const PictureOptions options = {Enter::forward, 0.05};
+        const Answer answer = answer_with(shuffle(car, slot, 6, Direction::forward));
+        const PictureOptions options = {{.clearance = 0.05, .enter = Enter::forward}};
         expect_whole(draw_maneuver(car, slot, answer, PictureFormat::png, options), PictureFormat::png);
         const std::string svg = draw_entries(car, slot, answer, PictureFormat::svg, options);
         expect_whole(svg, PictureFormat::svg);
@@ -293,10 +292,10 @@ TEST(Picture, OfAManeuverWithoutMovesOrAnAnswerGivenUp) {
     const Car car = *find_car("renault-zoe");
     const Slot slot = roomy(car);
     expect_whole(draw_maneuver(slot, Maneuver{car, {}}, PictureFormat::png), PictureFormat::png);
-    EntryAnswer given_up;
+    Answer given_up;
     given_up.cancelled = true;
     EXPECT_NE(draw_maneuver(car, slot, given_up, PictureFormat::svg).find("given up"), std::string::npos);
-    EntryAnswer moveless = answer_with(shuffle(car, slot, 1));
+    Answer moveless = answer_with(shuffle(car, slot, 1));
     moveless.maneuver->moves.clear();
     expect_whole(draw_maneuver(car, slot, moveless, PictureFormat::png), PictureFormat::png);
 }

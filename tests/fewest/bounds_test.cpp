@@ -36,7 +36,7 @@ struct Place {
         : asked(from),
           car(from.car),
           slot({.length = from.slot.length, .width = from.slot.width}),
-          problem(entering_problem(car, slot, snug::Enter::backward, from.clearance)) {}
+          problem(entering_problem(car, slot, snug::Enter::backward, from.driving.clearance)) {}
 };
 
 std::vector<Place> places(int count) {
@@ -44,7 +44,7 @@ std::vector<Place> places(int count) {
     for (std::uint64_t i = 0; static_cast<int>(found.size()) < count; ++i) {
         Case asked = oracle::random_case(11, i);
         if (asked.kind != "tight" && asked.kind != "thin" && asked.kind != "roomy") continue;
-        asked.enter = snug::Enter::backward;
+        asked.driving.enter = snug::Enter::backward;
         found.emplace_back(asked);
     }
     return found;
@@ -64,7 +64,7 @@ std::optional<Pose> parked(Random& random, const Place& place) {
     Pose pose{0.0, 0.0, random.between(-0.3, 0.3) * (random.chance(0.5) ? 1.0 : 0.1)};
     double top = -1e9, low = 1e9, left = 1e9, right = -1e9;
     for (const snug::Point& p : grown_frame(place, pose, 0.0)) top = std::max(top, p.y);
-    for (const snug::Point& p : grown_frame(place, pose, place.asked.clearance)) {
+    for (const snug::Point& p : grown_frame(place, pose, place.asked.driving.clearance)) {
         low = std::min(low, p.y);
         left = std::min(left, p.x);
         right = std::max(right, p.x);
@@ -108,8 +108,8 @@ TEST(LowerBound, NoRealMotionIsHigherThanItAllows) {
                         const double steering = best                 ? (piece == 0 ? limit : -limit)
                                                 : random.chance(0.7) ? (random.chance(0.5) ? limit : -limit)
                                                                      : random.between(-1.0, 1.0) * limit;
-                        const auto met =
-                            first_contact(place.car, place.slot, pose, direction, steering, place.asked.clearance);
+                        const auto met = first_contact(place.car, place.slot, pose, direction, steering,
+                                                       place.asked.driving.clearance);
                         double length = std::min(met.distance, 2.0);
                         if (random.chance(best && piece == 0 ? 1.0 : 0.4)) length *= random.unit();
                         const int steps = std::max(2, static_cast<int>(length / spacing));
@@ -138,7 +138,7 @@ TEST(LowerBound, NoRealMotionIsHigherThanItAllows) {
 
 /// Lowest free height, by clipping the frame to the blocks.
 double lowest_free(const Place& place, double x, double heading) {
-    const std::vector<snug::Point> corners = grown_frame(place, {x, 0.0, heading}, place.asked.clearance);
+    const std::vector<snug::Point> corners = grown_frame(place, {x, 0.0, heading}, place.asked.driving.clearance);
     double needed = -1e9;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const snug::Point p = corners[i], q = corners[(i + 1) % corners.size()];

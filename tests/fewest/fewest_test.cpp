@@ -16,8 +16,8 @@
 namespace {
 
 using oracle::Case;
+using snug::Answer;
 using snug::Car;
-using snug::FewestAnswer;
 using snug::FewestOptions;
 using snug::Slot;
 
@@ -32,11 +32,10 @@ Case catalogue_case(const std::string& name, double length, double width) {
     return asked;
 }
 
-FewestAnswer answer_to(const Case& asked, int max_changes = 20, double resolution = 0.0) {
+Answer answer_to(const Case& asked, int max_changes = 20, double resolution = 0.0) {
     FewestOptions options;
     options.max_changes = max_changes;
-    options.clearance = asked.clearance;
-    options.enter = asked.enter;
+    options.driving = asked.driving;
     options.resolution = resolution;
     return fewest(Car(asked.car), Slot(asked.slot), options);
 }
@@ -46,7 +45,7 @@ double usual_resolution(const Case& asked) { return usual_lattices() ? 0.0 : 5e-
 
 /// What an independent follower finds wrong. The first move need not be full left, as the paper's is, and where the car
 /// passes above p the entry position is there.
-std::vector<std::string> faults_of(const Case& asked, const FewestAnswer& answer) {
+std::vector<std::string> faults_of(const Case& asked, const Answer& answer) {
     std::vector<std::string> found;
     for (const std::string& fault : oracle::faults(asked, *answer.maneuver, *answer.direction_changes)) {
         const auto names = [&](const char* words) { return fault.find(words) != std::string::npos; };
@@ -65,7 +64,7 @@ TEST(Fewest, KnownCountsAreProved) {
     for (const Known& known : {Known{"mid-size", 5.1, 2.2, 9}, Known{"renault-zoe", 4.5, 2.0, 18},
                                Known{"renault-zoe", 5.2, 1.9, 2}, Known{"renault-zoe", 4.8, 1.84, 8}}) {
         const Case asked = catalogue_case(known.car, known.length, known.width);
-        const FewestAnswer answer = answer_to(asked, 200);
+        const Answer answer = answer_to(asked, 200);
         SCOPED_TRACE(oracle::command_line(asked));
         ASSERT_TRUE(answer.direction_changes);
         EXPECT_EQ(*answer.direction_changes, known.changes);
@@ -76,14 +75,14 @@ TEST(Fewest, KnownCountsAreProved) {
 }
 
 TEST(Fewest, ASlotFarTooShortIsProvedImpossible) {
-    const FewestAnswer answer = answer_to(catalogue_case("renault-zoe", 4.3, 1.9), 200);
+    const Answer answer = answer_to(catalogue_case("renault-zoe", 4.3, 1.9), 200);
     EXPECT_FALSE(answer.direction_changes);
     EXPECT_GT(answer.lower_bound, 200);
     EXPECT_TRUE(answer.proved);
 }
 
 TEST(Fewest, ASlotSmallerThanTheCarIsProvedImpossible) {
-    const FewestAnswer answer = answer_to(catalogue_case("renault-zoe", 4.0, 1.9));
+    const Answer answer = answer_to(catalogue_case("renault-zoe", 4.0, 1.9));
     EXPECT_FALSE(answer.maneuver);
     EXPECT_TRUE(answer.proved);
 }
@@ -92,7 +91,7 @@ TEST(Fewest, WhereNothingCanTurnOrMoveItIsProvedImpossible) {
     // As wide as the car: flush with the curb it can only go straight. As long: it cannot move at all.
     const Car car = *snug::find_car("mid-size");
     for (const auto& [length, width] : {std::pair{5.4, car.width()}, std::pair{car.length(), 2.2}}) {
-        const FewestAnswer answer = answer_to(catalogue_case("mid-size", length, width), 200);
+        const Answer answer = answer_to(catalogue_case("mid-size", length, width), 200);
         EXPECT_FALSE(answer.direction_changes);
         EXPECT_TRUE(answer.proved);
     }
@@ -125,7 +124,7 @@ TEST(Fewest, ALongRearBacksOutOverTheRearNeighbour) {
         asked.car = known.car;
         asked.slot = known.slot;
         SCOPED_TRACE(oracle::command_line(asked));
-        const FewestAnswer answer = answer_to(asked);
+        const Answer answer = answer_to(asked);
         EXPECT_EQ(answer.direction_changes, known.changes);
         EXPECT_TRUE(answer.proved);
         ASSERT_TRUE(answer.maneuver);
@@ -151,7 +150,7 @@ TEST(Fewest, BoundsOfRandomCasesAgreeWithTheirManeuversAndWithFullSteering) {
     for (int i = 0; i < count; ++i) {
         const Case asked = oracle::random_case(seed, static_cast<std::uint64_t>(i));
         SCOPED_TRACE("case " + std::to_string(i) + ": " + oracle::command_line(asked));
-        const FewestAnswer answer = answer_to(asked, 20, usual_resolution(asked));
+        const Answer answer = answer_to(asked, 20, usual_resolution(asked));
         proved += answer.proved ? 1 : 0;
         if (!answer.proved) {
             std::cout << "unproved, case " << i << ": " << answer.lower_bound << " to "
@@ -159,10 +158,10 @@ TEST(Fewest, BoundsOfRandomCasesAgreeWithTheirManeuversAndWithFullSteering) {
                       << oracle::command_line(asked) << '\n';
         }
         snug::EntryOptions full_steering;
-        full_steering.clearance = asked.clearance;
-        full_steering.enter = asked.enter;
-        const snug::EntryAnswer max_steer = entry(Car(asked.car), Slot(asked.slot), full_steering);
-        if (asked.enter == snug::Enter::backward && max_steer.parkable && *max_steer.direction_changes <= 20) {
+        full_steering.driving = asked.driving;
+        const snug::Answer max_steer = entry(Car(asked.car), Slot(asked.slot), full_steering);
+        if (asked.driving.enter == snug::Enter::backward && max_steer.parkable() &&
+            *max_steer.direction_changes <= 20) {
             ASSERT_TRUE(answer.direction_changes);
             EXPECT_LE(*answer.direction_changes, *max_steer.direction_changes);
         }
@@ -181,7 +180,7 @@ TEST(Fewest, BoundsOfRandomCasesAgreeWithTheirManeuversAndWithFullSteering) {
 }
 
 /// Bounds of one question never contradict those of a question that is no harder.
-void expect_no_harder(const FewestAnswer& easier, const FewestAnswer& harder) {
+void expect_no_harder(const Answer& easier, const Answer& harder) {
     if (harder.direction_changes) {
         EXPECT_LE(easier.lower_bound, *harder.direction_changes);
     }
@@ -195,7 +194,7 @@ TEST(Fewest, ALargerSlotAndATighterTurnAreNoHarder) {
         const Case asked = oracle::random_case(seed + 1, static_cast<std::uint64_t>(i));
         SCOPED_TRACE("case " + std::to_string(i) + ": " + oracle::command_line(asked));
         const double resolution = 1e-3 * asked.car_length();
-        const FewestAnswer answer = answer_to(asked, 20, resolution);
+        const Answer answer = answer_to(asked, 20, resolution);
         Case longer = asked, wider = asked, tighter = asked;
         longer.slot.length += 0.03;
         wider.slot.width += 0.03;
@@ -211,17 +210,16 @@ TEST(Fewest, NeitherPlaceNorSideNorScaleMatters) {
         Case asked = oracle::random_case(seed + 2, static_cast<std::uint64_t>(i));
         SCOPED_TRACE("case " + std::to_string(i) + ": " + oracle::command_line(asked));
         const double resolution = 1e-3 * asked.car_length();
-        const FewestAnswer answer = answer_to(asked, 20, resolution);
+        const Answer answer = answer_to(asked, 20, resolution);
         Case elsewhere = asked;
         elsewhere.slot.side = asked.slot.side == snug::Side::left ? snug::Side::right : snug::Side::left;
         elsewhere.slot.corner = {12.5, -3.25};
         elsewhere.slot.heading = 1.25;
         Case doubled = asked;  // a power of two, so that rounding is the same
         for (double* length : {&doubled.car.width, &doubled.car.front, &doubled.car.rear, &doubled.car.wheelbase,
-                               &doubled.slot.length, &doubled.slot.width, &doubled.clearance})
+                               &doubled.slot.length, &doubled.slot.width, &doubled.driving.clearance})
             *length *= 2.0;
-        for (const FewestAnswer& same :
-             {answer_to(elsewhere, 20, resolution), answer_to(doubled, 20, 2.0 * resolution)}) {
+        for (const Answer& same : {answer_to(elsewhere, 20, resolution), answer_to(doubled, 20, 2.0 * resolution)}) {
             EXPECT_EQ(same.lower_bound, answer.lower_bound);
             EXPECT_EQ(same.proved, answer.proved);
             EXPECT_EQ(same.direction_changes, answer.direction_changes);
@@ -234,7 +232,7 @@ TEST(Fewest, AMoveAlongAWallStillHasFewPieces) {
     for (const std::uint64_t index : {228, 269, 298}) {
         const Case asked = oracle::random_case(seed, index);
         SCOPED_TRACE("case " + std::to_string(index) + ": " + oracle::command_line(asked));
-        const FewestAnswer answer = answer_to(asked, 20, 5e-4 * asked.car_length());
+        const Answer answer = answer_to(asked, 20, 5e-4 * asked.car_length());
         ASSERT_TRUE(answer.maneuver);
         EXPECT_LE(pieces_of_a_move(*answer.maneuver), 12);
         EXPECT_EQ(faults_of(asked, answer), std::vector<std::string>{});
@@ -262,7 +260,7 @@ TEST(Fewest, GivingUpWhileTidyingKeepsTheManeuver) {
     const Case asked = catalogue_case("renault-zoe", 4.8, 1.84);
     FewestOptions options;
     options.progress = [](const snug::FewestProgress& so_far) { return !so_far.direction_changes; };
-    const FewestAnswer answer = fewest(Car(asked.car), Slot(asked.slot), options);
+    const Answer answer = fewest(Car(asked.car), Slot(asked.slot), options);
     ASSERT_TRUE(answer.direction_changes);
     ASSERT_TRUE(answer.maneuver);
     EXPECT_LE(answer.lower_bound, 8);
@@ -273,7 +271,7 @@ TEST(Fewest, GivingUpWhileTidyingKeepsTheManeuver) {
 TEST(Fewest, GivingUpLeavesTheBoundsFoundSoFar) {
     FewestOptions options;
     options.progress = [](const snug::FewestProgress&) { return false; };
-    const FewestAnswer answer = fewest(*snug::find_car("renault-zoe"), Slot({.length = 4.5, .width = 2.0}), options);
+    const Answer answer = fewest(*snug::find_car("renault-zoe"), Slot({.length = 4.5, .width = 2.0}), options);
     EXPECT_EQ(answer.direction_changes, 18);  // full steering
     EXPECT_FALSE(answer.proved);
     EXPECT_LE(answer.lower_bound, 18);

@@ -11,8 +11,8 @@
 
 namespace {
 
+using snug::Answer;
 using snug::Car;
-using snug::FewestAnswer;
 using snug::FewestOptions;
 using snug::Pose;
 using snug::Slot;
@@ -25,14 +25,13 @@ TEST(Leave, FromTheGoalOfAnOptimalManeuverItTakesNoMoreChanges) {
         const Slot slot(asked.slot);
         FewestOptions options;
         options.max_changes = 15;
-        options.clearance = asked.clearance;
-        options.enter = asked.enter;
+        options.driving = asked.driving;
         options.resolution = 1e-3 * asked.car_length();
-        const FewestAnswer best = fewest(car, slot, options);
+        const Answer best = fewest(car, slot, options);
         if (!best.direction_changes || std::abs(slot.to_slot(best.maneuver->goal()).heading) > 1.2) continue;
         ++asked_for;
         SCOPED_TRACE(oracle::command_line(asked));
-        const FewestAnswer out = leave(car, slot, best.maneuver->goal(), options);
+        const Answer out = leave(car, slot, best.maneuver->goal(), options);
         EXPECT_LE(out.lower_bound, *best.direction_changes);
         if (!out.direction_changes) continue;
         EXPECT_GE(*out.direction_changes, best.lower_bound);
@@ -40,8 +39,8 @@ TEST(Leave, FromTheGoalOfAnOptimalManeuverItTakesNoMoreChanges) {
         EXPECT_EQ(maneuver.direction_changes(), *out.direction_changes);
         EXPECT_NEAR(maneuver.entry().x, best.maneuver->goal().x, 1e-8 * asked.car_length());
         EXPECT_NEAR(maneuver.entry().y, best.maneuver->goal().y, 1e-8 * asked.car_length());
-        const auto problem =
-            oracle::make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter);
+        const auto problem = oracle::make_problem<double>(asked.car, asked.slot.length, asked.slot.width,
+                                                          asked.driving.clearance, asked.driving.enter);
         for (const snug::Move& move : maneuver.moves) {
             const auto path = oracle::path_of(asked.slot, asked.car, move);
             EXPECT_LE(oracle::deepest(problem.grown, problem.gap, path, move.length), 1e-8 * asked.car_length());
@@ -52,7 +51,7 @@ TEST(Leave, FromTheGoalOfAnOptimalManeuverItTakesNoMoreChanges) {
 TEST(Leave, ParkedWithRoomItTakesFewChanges) {
     const Car zoe = *snug::find_car("renault-zoe");
     const Slot slot({.length = 5.0, .width = 2.0});
-    const FewestAnswer out = leave(zoe, slot, parked_pose(zoe, slot, {.front = 0.3, .curb = 0.1}));
+    const Answer out = leave(zoe, slot, parked_pose(zoe, slot, {.front = 0.3, .curb = 0.1}));
     EXPECT_EQ(out.direction_changes, 5);
     EXPECT_TRUE(out.proved);
 }
@@ -60,10 +59,10 @@ TEST(Leave, ParkedWithRoomItTakesFewChanges) {
 TEST(Leave, FlushWithTheCurbThereIsNoWayOut) {
     const Car zoe = *snug::find_car("renault-zoe");
     const Slot slot({.length = 5.0, .width = 2.0, .corner = {3.0, -7.0}, .heading = 0.7});
-    const FewestAnswer flush = leave(zoe, slot, parked_pose(zoe, slot, {.front = 0.3, .curb = 0.0}));
+    const Answer flush = leave(zoe, slot, parked_pose(zoe, slot, {.front = 0.3, .curb = 0.0}));
     EXPECT_FALSE(flush.direction_changes);
     EXPECT_TRUE(flush.proved);
-    const FewestAnswer nearly = leave(zoe, slot, parked_pose(zoe, slot, {.front = 0.3, .curb = 0.01}));
+    const Answer nearly = leave(zoe, slot, parked_pose(zoe, slot, {.front = 0.3, .curb = 0.01}));
     EXPECT_TRUE(nearly.direction_changes);
 }
 
@@ -91,7 +90,7 @@ TEST(Leave, ACarThatIsNotParkedIsRefused) {
     EXPECT_THROW(leave(zoe, slot, Pose{-3.8, -1.0, 3.14159}), snug::Error);
     EXPECT_THROW(leave(zoe, slot, Pose{std::nan(""), -1.0, 0.0}), snug::Error);
     FewestOptions careful;
-    careful.clearance = 0.2;
+    careful.driving.clearance = 0.2;
     EXPECT_THROW(leave(zoe, slot, parked_pose(zoe, slot, {.front = 0.3, .curb = 0.1}), careful), snug::Error);
 }
 
@@ -113,7 +112,7 @@ TEST(MinLength, IsDemonstratedAboveAndImpossibleBelow) {
         EXPECT_GE(full_steering->length, found.length_lower);
         FewestOptions there;
         there.max_changes = changes;
-        const FewestAnswer parks = fewest(zoe, Slot({.length = *found.length + 1e-9, .width = 1.9}), there);
+        const Answer parks = fewest(zoe, Slot({.length = *found.length + 1e-9, .width = 1.9}), there);
         EXPECT_TRUE(parks.direction_changes);
     }
 }

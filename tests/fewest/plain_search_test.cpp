@@ -30,7 +30,8 @@ constexpr int most_changes = 5;
 class PlainSearch {
 public:
     explicit PlainSearch(const Case& asked)
-        : problem_(oracle::make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance)),
+        : problem_(
+              oracle::make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.driving.clearance)),
           length_(asked.car_length()),
           cell_(0.01 * length_),
           turn_(0.7 * cell_ / problem_.radius),
@@ -181,9 +182,9 @@ Case coarse_case(std::uint64_t index) {
     oracle::Random random(41 * 0x9E3779B97F4A7C15ULL + index * 0xBF58476D1CE4E5B9ULL);
     Case chosen;
     choose_car(random, chosen);
-    if (random.chance(0.2)) chosen.clearance = random.between(0.005, 0.1);
-    chosen.slot.length = chosen.car_length() * random.between(1.06, 1.4) + 2 * chosen.clearance;
-    chosen.slot.width = chosen.car.width * random.between(1.03, 1.35) + chosen.clearance;
+    if (random.chance(0.2)) chosen.driving.clearance = random.between(0.005, 0.1);
+    chosen.slot.length = chosen.car_length() * random.between(1.06, 1.4) + 2 * chosen.driving.clearance;
+    chosen.slot.width = chosen.car.width * random.between(1.03, 1.35) + chosen.driving.clearance;
     return chosen;
 }
 
@@ -195,10 +196,10 @@ TEST(PlainSearch, NeverBeatsTheClaimedOptimumAndOftenComesWithinOneChange) {
         SCOPED_TRACE("case " + std::to_string(i) + ": " + oracle::command_line(asked));
         snug::FewestOptions options;
         options.max_changes = most_changes;
-        options.clearance = asked.clearance;
+        options.driving.clearance = asked.driving.clearance;
         options.resolution = 1e-3 * asked.car_length();
         options.roomiest = false;
-        const snug::FewestAnswer claimed = fewest(snug::Car(asked.car), snug::Slot(asked.slot), options);
+        const snug::Answer claimed = fewest(snug::Car(asked.car), snug::Slot(asked.slot), options);
         PlainSearch search(asked);
         const std::optional<int> found = search.changes();
         // Where the optimum is proved, this bound is it; a bound above what is allowed says that the car cannot park.

@@ -22,7 +22,8 @@ struct MinSlotCase {
 
     double given() const { return length_sought ? asked.slot.width : asked.slot.length; }
     double least() const {
-        return length_sought ? asked.car_length() + 2 * asked.clearance : asked.car.width + asked.clearance;
+        return length_sought ? asked.car_length() + 2 * asked.driving.clearance
+                             : asked.car.width + asked.driving.clearance;
     }
     Case in_slot_of(double size) const {
         Case sized = asked;
@@ -32,7 +33,8 @@ struct MinSlotCase {
     template <class Real>
     Problem<Real> problem(double size) const {
         const Case sized = in_slot_of(size);
-        return make_problem<Real>(sized.car, sized.slot.length, sized.slot.width, sized.clearance, sized.enter);
+        return make_problem<Real>(sized.car, sized.slot.length, sized.slot.width, sized.driving.clearance,
+                                  sized.driving.enter);
     }
     std::string line(double size) const {
         std::ostringstream text;
@@ -52,12 +54,13 @@ inline MinSlotCase random_min_slot_case(std::uint64_t seed, std::uint64_t index,
     MinSlotCase chosen;
     do choose_car(random, chosen.asked);
     while (cars == Cars::of_the_paper && chosen.asked.car_name.empty());
-    if (random.chance(0.1)) chosen.asked.enter = snug::Enter::forward;
-    if (random.chance(0.1)) chosen.asked.clearance = random.between(0.005, 0.1);
+    if (random.chance(0.1)) chosen.asked.driving.enter = snug::Enter::forward;
+    if (random.chance(0.1)) chosen.asked.driving.clearance = random.between(0.005, 0.1);
     chosen.length_sought = random.chance(0.7);
-    const double room = chosen.asked.enter == snug::Enter::forward ? 1.5 : 0.65;
-    chosen.asked.slot.width = chosen.asked.car.width + chosen.asked.clearance + random.between(0.05, room);
-    chosen.asked.slot.length = chosen.asked.car_length() + 2 * chosen.asked.clearance + random.between(0.4, 2.0);
+    const double room = chosen.asked.driving.enter == snug::Enter::forward ? 1.5 : 0.65;
+    chosen.asked.slot.width = chosen.asked.car.width + chosen.asked.driving.clearance + random.between(0.05, room);
+    chosen.asked.slot.length =
+        chosen.asked.car_length() + 2 * chosen.asked.driving.clearance + random.between(0.4, 2.0);
     chosen.max_changes = random.chance(0.8) ? random.below(13) : random.below(60);
     return chosen;
 }

@@ -31,8 +31,8 @@ std::optional<snug::MinSlot> smallest(const MinSlotCase& asked) {
     snug::MinSlotOptions options;
     options.max_changes = asked.max_changes;
     options.min_range = asked.min_range;
-    options.clearance = asked.asked.clearance;
-    options.enter = asked.asked.enter;
+    options.driving.clearance = asked.asked.driving.clearance;
+    options.driving.enter = asked.asked.driving.enter;
     const snug::Car car(asked.asked.car, asked.asked.car_name);
     return asked.length_sought ? snug::min_length(car, asked.given(), options)
                                : snug::min_width(car, asked.given(), options);
@@ -68,11 +68,10 @@ std::string attack_from_above(const MinSlotCase& asked, double size) {
     const Case sized = asked.in_slot_of(size + tenth_of_a_millimetre);
     snug::EntryOptions options;
     options.max_changes = asked.max_changes;
-    options.clearance = sized.clearance;
-    options.enter = sized.enter;
-    const snug::EntryAnswer answer = snug::entry(snug::Car(sized.car, sized.car_name), snug::Slot(sized.slot), options);
+    options.driving = sized.driving;
+    const snug::Answer answer = snug::entry(snug::Car(sized.car, sized.car_name), snug::Slot(sized.slot), options);
     if (!answer.maneuver) return "no maneuver in a slot 0.1 mm larger, " + asked.line(size);
-    const double sign = sized.enter == snug::Enter::backward ? 1.0 : -1.0;
+    const double sign = sized.driving.enter == snug::Enter::backward ? 1.0 : -1.0;
     const double heading = sign * into_slot(sized.slot, answer.maneuver->entry()).heading;
     if (!parks(asked, size + tenth_of_a_millimetre, heading))
         return "the oracle does not park in a slot 0.1 mm larger, " + asked.line(size);

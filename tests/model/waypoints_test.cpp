@@ -26,7 +26,7 @@ snug::Maneuver some_maneuver(Random& random, int i) {
     const snug::Slot slot({.length = random.between(4.8, 5.6), .width = random.between(1.85, 2.2)});
     snug::FewestOptions options;
     options.resolution = 0.01;
-    const snug::FewestAnswer answer = fewest(car, slot, options);
+    const snug::Answer answer = fewest(car, slot, options);
     return answer.maneuver ? *answer.maneuver : random_maneuver(random);
 }
 

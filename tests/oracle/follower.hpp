@@ -100,10 +100,10 @@ inline std::vector<std::string> faults(const Case& asked, const snug::Maneuver& 
         fault("the maneuver has no moves");
         return found;
     }
-    const auto problem =
-        make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter);
+    const auto problem = make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.driving.clearance,
+                                              asked.driving.enter);
     const double near = 1e-9;
-    const bool backward = asked.enter == snug::Enter::backward;
+    const bool backward = asked.driving.enter == snug::Enter::backward;
     const double mirror = asked.slot.side == snug::Side::left ? -1.0 : 1.0;
 
     const snug::Move& first = maneuver.moves.front();

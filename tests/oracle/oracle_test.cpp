@@ -30,7 +30,8 @@ TEST(Oracle, FirstContactAgreesWithTinySteps) {
     const int cases = snug::test::sample(200, 20000);
     for (int i = 0; i < cases; ++i) {
         const Case asked = random_case(11, std::uint64_t(i));
-        const auto problem = make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance);
+        const auto problem =
+            make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.driving.clearance);
         Random random(std::uint64_t(i) + 1);
         const auto place = free_place(random, problem);
         if (!place) continue;
@@ -77,8 +78,8 @@ TEST(Oracle, StrategyAgreesWithTinySteps) {
     const int cases = snug::test::sample(60, 2000);
     for (int i = 0; i < cases; ++i) {
         const Case asked = random_case(12, std::uint64_t(i));
-        const auto problem =
-            make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter);
+        const auto problem = make_problem<double>(asked.car, asked.slot.length, asked.slot.width,
+                                                  asked.driving.clearance, asked.driving.enter);
         Random random(std::uint64_t(i) + 1);
         double heading = random.between(0, 0.7);
         for (int k = 0; k < 50 && i % 3 != 0 && !run(problem, heading, 12).parked(); ++k)
@@ -106,12 +107,12 @@ TEST(Oracle, DoubleAndLongDoubleAgree) {
     for (int i = 0; i < cases; ++i) {
         const Case asked = random_case(13, std::uint64_t(i));
         const double heading = Random(std::uint64_t(i)).between(0, 0.7);
-        const auto fast =
-            run(make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter),
-                heading, 20);
-        const auto fine =
-            run(make_problem<long double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter),
-                static_cast<long double>(heading), 20, true);
+        const auto fast = run(make_problem<double>(asked.car, asked.slot.length, asked.slot.width,
+                                                   asked.driving.clearance, asked.driving.enter),
+                              heading, 20);
+        const auto fine = run(make_problem<long double>(asked.car, asked.slot.length, asked.slot.width,
+                                                        asked.driving.clearance, asked.driving.enter),
+                              static_cast<long double>(heading), 20, true);
         if (fine.graze < 1e-11L || std::abs(fine.least_top) < 1e-11L) continue;
         EXPECT_EQ(fast.parked(), fine.parked()) << command_line(asked) << " heading " << heading;
         EXPECT_EQ(fast.changes, fine.changes) << command_line(asked) << " heading " << heading;

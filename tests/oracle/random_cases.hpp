@@ -31,8 +31,7 @@ struct Case {
     std::string car_name;  // of the paper's table 1; empty for a made-up car
     snug::CarDimensions car;
     snug::SlotDimensions slot;
-    double clearance = 0.0;
-    snug::Enter enter = snug::Enter::backward;
+    snug::Driving driving;
     int more_changes = 0;  // Problem 2 is asked with this many changes more than the fewest
 
     double car_length() const { return car.front + car.rear; }
@@ -106,11 +105,11 @@ inline double least_top_over_headings(const Problem<double>& problem, int max_ch
 inline void make_thin(Random& random, Case& chosen) {
     const int changes = random.below(13);
     const auto parks = [&](double length) {
-        return least_top_over_headings(
-                   make_problem<double>(chosen.car, length, chosen.slot.width, chosen.clearance, chosen.enter),
-                   changes) <= 0;
+        return least_top_over_headings(make_problem<double>(chosen.car, length, chosen.slot.width,
+                                                            chosen.driving.clearance, chosen.driving.enter),
+                                       changes) <= 0;
     };
-    double fails = chosen.car_length() + 2 * chosen.clearance, works = fails + 3.0;
+    double fails = chosen.car_length() + 2 * chosen.driving.clearance, works = fails + 3.0;
     if (!parks(works)) return;
     for (int i = 0; i < 26; ++i) {
         const double middle = (fails + works) / 2;
@@ -124,10 +123,10 @@ inline Case random_case(std::uint64_t seed, std::uint64_t index) {
     Random random(seed * 0x9E3779B97F4A7C15ULL + index * 0xBF58476D1CE4E5B9ULL + 1);
     Case chosen;
     choose_car(random, chosen);
-    if (random.chance(0.15)) chosen.enter = snug::Enter::forward;
-    if (random.chance(0.15)) chosen.clearance = random.between(0.005, 0.1);
-    const double needed_length = chosen.car_length() + 2 * chosen.clearance;
-    const double needed_width = chosen.car.width + chosen.clearance;
+    if (random.chance(0.15)) chosen.driving.enter = snug::Enter::forward;
+    if (random.chance(0.15)) chosen.driving.clearance = random.between(0.005, 0.1);
+    const double needed_length = chosen.car_length() + 2 * chosen.driving.clearance;
+    const double needed_width = chosen.car.width + chosen.driving.clearance;
     double extra_length = random.between(0.3, 0.8), extra_width = random.between(0.05, 0.4);
     const double kind = random.unit();
     if (kind < 0.45) {
@@ -184,8 +183,8 @@ inline std::string command_line(const Case& asked) {
     if (asked.slot.corner.x != 0 || asked.slot.corner.y != 0)
         line << " --corner=" << asked.slot.corner.x << ',' << asked.slot.corner.y;
     if (asked.slot.heading != 0) line << " --heading=" << asked.slot.heading;
-    if (asked.clearance != 0) line << " --clearance " << asked.clearance;
-    if (asked.enter == snug::Enter::forward) line << " --enter forward";
+    if (asked.driving.clearance != 0) line << " --clearance " << asked.driving.clearance;
+    if (asked.driving.enter == snug::Enter::forward) line << " --enter forward";
     return line.str();
 }
 

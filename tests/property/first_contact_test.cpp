@@ -35,7 +35,7 @@ struct Question {
     /// In long double, since a hardly steered car turns on a huge circle; the pose itself is rounded to double.
     Drive<long double> exact() const {
         const Case& c = asked;
-        auto fine = make_problem<long double>(c.car, c.slot.length, c.slot.width, c.clearance);
+        auto fine = make_problem<long double>(c.car, c.slot.length, c.slot.width, c.driving.clearance);
         fine.forgiven = 1e-12L;
         const long double radius =
             steering == 0 ? std::numeric_limits<long double>::infinity()
@@ -52,7 +52,7 @@ struct Question {
     snug::FirstContact answer() const {
         const double mirror = asked.slot.side == snug::Side::left ? -1.0 : 1.0;
         return snug::first_contact(snug::Car(asked.car), snug::Slot(asked.slot), into_world(asked.slot, place),
-                                   direction, mirror * steering, asked.clearance);
+                                   direction, mirror * steering, asked.driving.clearance);
     }
     std::string text() const {
         std::ostringstream out;
@@ -89,7 +89,7 @@ std::optional<Question> anywhere(std::uint64_t seed, int i) {
     Random random(seed * 1000003 + std::uint64_t(i));
     if (question.asked.kind != "exotic" && random.chance(0.3)) question.asked.slot.length += random.between(0, 4);
     const Case& asked = question.asked;
-    question.problem = make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance);
+    question.problem = make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.driving.clearance);
     const double L = asked.slot.length, W = asked.slot.width;
     for (int k = 0; k < 100; ++k) {
         question.place = {random.between(-L - 3, 4), random.between(-W, 4),
@@ -254,7 +254,8 @@ TEST(FirstContact, AnOverlapIsAContactAtOnce) {
         Question question;
         question.asked = some_case(i);
         const Case& asked = question.asked;
-        question.problem = make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance);
+        question.problem =
+            make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.driving.clearance);
         Random random{std::uint64_t(i)};
         question.place = {random.between(-asked.slot.length - 3, 3), random.between(-asked.slot.width - 1, 2),
                           random.between(-3.2, 3.2)};

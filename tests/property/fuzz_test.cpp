@@ -46,7 +46,7 @@ Case wild_case(std::uint64_t i) {
     asked.slot.length = std::clamp(asked.slot.length, 1e-6, 1e6);
     asked.slot.width = std::clamp(asked.slot.width, 1e-6, 1e6);
     if (random.chance(0.1)) asked.slot.corner = {random.between(-1e9, 1e9), random.between(-1e9, 1e9)};
-    if (random.chance(0.1)) asked.clearance = random.between(0, 3);
+    if (random.chance(0.1)) asked.driving.clearance = random.between(0, 3);
     asked.car_name.clear();
     return asked;
 }
@@ -60,8 +60,7 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
         const Case asked = wild_case(std::uint64_t(i));
         Random random(std::uint64_t(i) + 5);
         snug::EntryOptions options;
-        options.clearance = asked.clearance;
-        options.enter = asked.enter;
+        options.driving = asked.driving;
         if (random.chance(0.5)) options.max_changes = random.below(random.chance(0.1) ? 2000 : 40);
         if (random.chance(0.3)) options.min_range = random.between(0, 0.1);
         std::string line = command_line(asked);
@@ -72,7 +71,7 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
             return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         };
         options.progress = [&](double) { return elapsed() < 0.5; };
-        snug::EntryAnswer answer;
+        snug::Answer answer;
         try {
             answer = snug::entry(snug::Car(asked.car), snug::Slot(asked.slot), options);
         } catch (const snug::Error&) {
@@ -86,9 +85,9 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
             ++given_up;
             continue;
         }
-        EXPECT_EQ(answer.parkable, answer.direction_changes.has_value()) << line;
-        EXPECT_EQ(answer.parkable, answer.maneuver.has_value()) << line;
-        EXPECT_EQ(answer.parkable, !answer.ranges.empty()) << line;
+        EXPECT_EQ(answer.parkable(), answer.direction_changes.has_value()) << line;
+        EXPECT_EQ(answer.parkable(), answer.maneuver.has_value()) << line;
+        EXPECT_EQ(answer.parkable(), !answer.ranges.empty()) << line;
         double last = 0;
         for (const snug::HeadingRange& r : answer.ranges) {
             EXPECT_TRUE(last <= r.min && r.min <= r.max && r.max <= std::numbers::pi / 2) << line;

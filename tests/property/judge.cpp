@@ -48,26 +48,27 @@ public:
         : asked_(asked),
           options_(options),
           random_(seed),
-          fast_(make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter)),
-          fine_(make_problem<Fine>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter)) {}
+          fast_(make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.driving.clearance,
+                                     asked.driving.enter)),
+          fine_(make_problem<Fine>(asked.car, asked.slot.length, asked.slot.width, asked.driving.clearance,
+                                   asked.driving.enter)) {}
 
     Verdict operator()() {
         const snug::Car car(asked_.car, asked_.car_name);
         const snug::Slot slot(asked_.slot);
         snug::EntryOptions problem1;
-        problem1.clearance = asked_.clearance;
-        problem1.enter = asked_.enter;
-        const snug::EntryAnswer best = answer_to(car, slot, problem1);
+        problem1.driving = asked_.driving;
+        const snug::Answer best = answer_to(car, slot, problem1);
         snug::EntryOptions problem2 = problem1;
         problem2.max_changes =
             best.direction_changes ? *best.direction_changes + asked_.more_changes : options_.unparkable_changes;
-        const snug::EntryAnswer all = answer_to(car, slot, problem2);
+        const snug::Answer all = answer_to(car, slot, problem2);
 
-        verdict_.parkable = best.parkable;
-        if (best.parkable != best.direction_changes.has_value() || best.parkable != best.maneuver.has_value() ||
-            best.parkable != !best.ranges.empty())
-            fail("Problem 1 contradicts itself: parkable ", best.parkable, " with ", best.ranges.size(), " ranges");
-        if (best.parkable != all.parkable || best.direction_changes != all.direction_changes)
+        verdict_.parkable = best.parkable();
+        if (best.parkable() != best.direction_changes.has_value() || best.parkable() != best.maneuver.has_value() ||
+            best.parkable() != !best.ranges.empty())
+            fail("Problem 1 contradicts itself: parkable ", best.parkable(), " with ", best.ranges.size(), " ranges");
+        if (best.parkable() != all.parkable() || best.direction_changes != all.direction_changes)
             fail("Problems 1 and 2 differ in the fewest changes");
         ranges_ = all.ranges;
         limit_ = *problem2.max_changes;
@@ -76,10 +77,10 @@ public:
         check_same_best(best);
         sample_headings();
         for (const snug::HeadingRange& range : ranges_) enter(range);
-        for (const snug::EntryAnswer* answer : {&best, &all})
+        for (const snug::Answer* answer : {&best, &all})
             if (answer->maneuver && answer->direction_changes) check_maneuver(*answer);
-        if (!best.parkable) try_hard();
-        if (best.parkable) check_min_range(car, slot, problem2);
+        if (!best.parkable()) try_hard();
+        if (best.parkable()) check_min_range(car, slot, problem2);
         return std::move(verdict_);
     }
 
@@ -89,16 +90,16 @@ private:
         if (verdict_.failures.size() < 5) verdict_.failures.push_back(sentence(words...));
     }
 
-    snug::EntryAnswer answer_to(const snug::Car& car, const snug::Slot& slot, const snug::EntryOptions& options) {
+    snug::Answer answer_to(const snug::Car& car, const snug::Slot& slot, const snug::EntryOptions& options) {
         const auto start = std::chrono::steady_clock::now();
-        snug::EntryAnswer answer = snug::entry(car, slot, options);
+        snug::Answer answer = snug::entry(car, slot, options);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         verdict_.seconds = std::max(verdict_.seconds, took.count());
         return answer;
     }
 
     // Rising, each within [0, pi/2], as wide as can be, subranges numbered by touching.
-    void check_form(const std::vector<snug::HeadingRange>& ranges, const snug::EntryAnswer& answer, int limit) {
+    void check_form(const std::vector<snug::HeadingRange>& ranges, const snug::Answer& answer, int limit) {
         int least = limit + 1;
         for (std::size_t i = 0; i < ranges.size(); ++i) {
             const snug::HeadingRange& r = ranges[i];
@@ -119,7 +120,7 @@ private:
             fail("the fewest of the ranges is ", least, " but the answer says ", answer.direction_changes.value_or(-1));
     }
 
-    void check_same_best(const snug::EntryAnswer& best) {
+    void check_same_best(const snug::Answer& best) {
         std::vector<snug::HeadingRange> again;
         double widest = 0;
         for (const snug::HeadingRange& r : ranges_)
@@ -131,7 +132,7 @@ private:
             widest = std::max(widest, again[i].max - again[i].min);
             verdict_.thinnest = std::min(verdict_.thinnest, again[i].max - again[i].min);
         }
-        verdict_.only_thin = best.parkable && widest < 1e-4;
+        verdict_.only_thin = best.parkable() && widest < 1e-4;
         if (!same) fail("Problem 1 has ", best.ranges.size(), " best ranges, Problem 2 ", again.size(), " or others");
     }
 
@@ -272,11 +273,11 @@ private:
         for (int i = 0; i < 5; ++i) count_at(random_.between(range.min, range.max), false);
     }
 
-    void check_maneuver(const snug::EntryAnswer& answer) {
+    void check_maneuver(const snug::Answer& answer) {
         const snug::Maneuver& maneuver = *answer.maneuver;
         for (const std::string& fault : faults(asked_, maneuver, *answer.direction_changes)) fail(fault);
         if (maneuver.moves.empty()) return;
-        const double sign = asked_.enter == snug::Enter::backward ? 1.0 : -1.0;
+        const double sign = asked_.driving.enter == snug::Enter::backward ? 1.0 : -1.0;
         const double heading = sign * into_slot(asked_.slot, maneuver.moves.front().start).heading;
         double widest = 0;
         for (const snug::HeadingRange& r : answer.ranges)
@@ -326,7 +327,7 @@ private:
             }
         }
         if (close) return;
-        const snug::EntryAnswer answer = answer_to(car, slot, options);
+        const snug::Answer answer = answer_to(car, slot, options);
         if (answer.direction_changes != expected)
             fail("with --min-range ", options.min_range, " --max-changes ", limit_, " the fewest is ",
                  answer.direction_changes.value_or(-1), ", expected ", expected.value_or(-1));

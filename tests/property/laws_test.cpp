@@ -20,19 +20,18 @@ std::string digits(double number) {
 
 snug::EntryOptions options_of(const Case& asked) {
     snug::EntryOptions options;
-    options.clearance = asked.clearance;
-    options.enter = asked.enter;
+    options.driving = asked.driving;
     return options;
 }
 
-snug::EntryAnswer ask(const Case& asked, const snug::EntryOptions& options) {
+snug::Answer ask(const Case& asked, const snug::EntryOptions& options) {
     return snug::entry(snug::Car(asked.car, asked.car_name), snug::Slot(asked.slot), options);
 }
 
 /// Problem 1, or Problem 2 with some changes more than it needs.
-snug::EntryAnswer ask(const Case& asked, bool problem2 = true) {
+snug::Answer ask(const Case& asked, bool problem2 = true) {
     snug::EntryOptions options = options_of(asked);
-    snug::EntryAnswer answer = ask(asked, options);
+    snug::Answer answer = ask(asked, options);
     if (!problem2 || !answer.direction_changes) return answer;
     options.max_changes = *answer.direction_changes + asked.more_changes;
     return ask(asked, options);
@@ -63,7 +62,7 @@ void expect_same_ranges(const std::vector<snug::HeadingRange>& a, const std::vec
 }
 
 /// The same maneuver seen in the slot frame.
-void expect_same_shape(const Case& a, const snug::EntryAnswer& one, const Case& b, const snug::EntryAnswer& two) {
+void expect_same_shape(const Case& a, const snug::Answer& one, const Case& b, const snug::Answer& two) {
     ASSERT_EQ(one.maneuver.has_value(), two.maneuver.has_value()) << command_line(a);
     if (!one.maneuver) return;
     ASSERT_EQ(one.maneuver->moves.size(), two.maneuver->moves.size()) << command_line(a);
@@ -85,7 +84,7 @@ TEST(Laws, AMirroredSlotHasTheSameEntriesAndTheMirroredManeuver) {
         right.slot.side = snug::Side::right;
         Case left = right;
         left.slot.side = snug::Side::left;
-        const snug::EntryAnswer one = ask(right), two = ask(left);
+        const snug::Answer one = ask(right), two = ask(left);
         expect_same_ranges(one.ranges, two.ranges, 1e-12, command_line(right));
         expect_same_shape(right, one, left, two);
         if (!one.maneuver || !two.maneuver) continue;
@@ -101,7 +100,7 @@ TEST(Laws, MovingTheWorldChangesNoEntry) {
         Case there = here;
         there.slot.corner = {random.between(-100, 100), random.between(-100, 100)};
         there.slot.heading = random.between(-10, 10);
-        const snug::EntryAnswer one = ask(here), two = ask(there);
+        const snug::Answer one = ask(here), two = ask(there);
         expect_same_ranges(one.ranges, two.ranges, 1e-12, command_line(there));
         expect_same_shape(here, one, there, two);
     }
@@ -114,7 +113,7 @@ TEST(Laws, ScalingAllLengthsChangesNoEntry) {
         const double scale = std::pow(10.0, random.between(-2, 2));
         Case scaled = plain;
         for (double* length : {&scaled.car.width, &scaled.car.front, &scaled.car.rear, &scaled.car.wheelbase,
-                               &scaled.slot.length, &scaled.slot.width, &scaled.clearance})
+                               &scaled.slot.length, &scaled.slot.width, &scaled.driving.clearance})
             *length *= scale;
         // Where a slot only just works, the rounding of the scaled lengths decides: not a law about such slots.
         const auto room = [](const Case& c, double extra) {
@@ -123,7 +122,7 @@ TEST(Laws, ScalingAllLengthsChangesNoEntry) {
             return ask(r, false);
         };
         if (room(plain, 1e-11).direction_changes != room(plain, -1e-11).direction_changes) continue;
-        const snug::EntryAnswer one = ask(plain), two = ask(scaled);
+        const snug::Answer one = ask(plain), two = ask(scaled);
         expect_same_ranges(one.ranges, two.ranges, 1e-8, command_line(plain) + " scaled by " + std::to_string(scale));
     }
 }
@@ -131,11 +130,11 @@ TEST(Laws, ScalingAllLengthsChangesNoEntry) {
 TEST(Laws, NoseFirstIsTailFirstForTheSwappedCarInTheMirroredSlot) {
     for (int i = 0; i < cases(); ++i) {
         Case nose = random_case(seed + 3, std::uint64_t(i));
-        nose.enter = snug::Enter::forward;
+        nose.driving.enter = snug::Enter::forward;
         Case tail = nose;
-        tail.enter = snug::Enter::backward;
+        tail.driving.enter = snug::Enter::backward;
         std::swap(tail.car.front, tail.car.rear);
-        const snug::EntryAnswer one = ask(nose), two = ask(tail);
+        const snug::Answer one = ask(nose), two = ask(tail);
         expect_same_ranges(one.ranges, two.ranges, 1e-12, command_line(nose));
         ASSERT_EQ(one.maneuver.has_value(), two.maneuver.has_value()) << command_line(nose);
         if (!one.maneuver) continue;
@@ -170,9 +169,9 @@ TEST(Laws, AllowingMoreChangesOnlyAddsHeadings) {
         const Case asked = random_case(seed + 5, std::uint64_t(i));
         snug::EntryOptions options = options_of(asked);
         options.max_changes = 4;
-        const snug::EntryAnswer few = ask(asked, options);
+        const snug::Answer few = ask(asked, options);
         options.max_changes = 9;
-        snug::EntryAnswer more = ask(asked, options);
+        snug::Answer more = ask(asked, options);
         std::erase_if(more.ranges, [](const snug::HeadingRange& r) { return r.direction_changes > 4; });
         expect_same_ranges(few.ranges, more.ranges, 1e-12, command_line(asked));
     }
@@ -181,17 +180,17 @@ TEST(Laws, AllowingMoreChangesOnlyAddsHeadings) {
 TEST(Laws, KeepingClearIsNoHarderThanBeingThatMuchLarger) {
     for (int i = 0; i < cases(); ++i) {
         Case clear = random_case(seed + 6, std::uint64_t(i));
-        if (clear.clearance == 0) clear.clearance = 0.02;
+        if (clear.driving.clearance == 0) clear.driving.clearance = 0.02;
         Case large = clear;
-        large.clearance = 0;
-        large.car.width += 2 * clear.clearance;
-        large.car.front += clear.clearance;
-        large.car.rear += clear.clearance;
+        large.driving.clearance = 0;
+        large.car.width += 2 * clear.driving.clearance;
+        large.car.front += clear.driving.clearance;
+        large.car.rear += clear.driving.clearance;
         snug::EntryOptions options = options_of(large);
         options.max_changes = 12;
-        const snug::EntryAnswer grown = ask(large, options);
-        options.clearance = clear.clearance;
-        const snug::EntryAnswer kept = ask(clear, options);
+        const snug::Answer grown = ask(large, options);
+        options.driving.clearance = clear.driving.clearance;
+        const snug::Answer kept = ask(clear, options);
         // Both touch the same things; the car itself is inside at the latest when the grown one is.
         for (const snug::HeadingRange& r : grown.ranges) {
             if (r.max - r.min < 1e-9) continue;
@@ -210,9 +209,11 @@ TEST(Laws, ASlotLacksWhatTheCarAndItsClearanceNeed) {
         Random random(std::uint64_t(i) + 1);
         asked.slot.length *= random.between(0.5, 1.2);
         asked.slot.width *= random.between(0.5, 1.2);
-        const snug::Shortfall lacks = snug::shortfall(snug::Car(asked.car), snug::Slot(asked.slot), asked.clearance);
-        EXPECT_NEAR(lacks.length, std::max(0.0, asked.car_length() + 2 * asked.clearance - asked.slot.length), 1e-12);
-        EXPECT_NEAR(lacks.width, std::max(0.0, asked.car.width + asked.clearance - asked.slot.width), 1e-12);
+        const snug::Shortfall lacks =
+            snug::shortfall(snug::Car(asked.car), snug::Slot(asked.slot), asked.driving.clearance);
+        EXPECT_NEAR(lacks.length, std::max(0.0, asked.car_length() + 2 * asked.driving.clearance - asked.slot.length),
+                    1e-12);
+        EXPECT_NEAR(lacks.width, std::max(0.0, asked.car.width + asked.driving.clearance - asked.slot.width), 1e-12);
     }
 }
 
@@ -225,13 +226,12 @@ TEST(Laws, OneRunOfTheStrategyIsWhatTheOracleDrives) {
         Random random(std::uint64_t(i) + 1);
         const double heading = random.chance(0.1) ? random.between(0, 1.57) : random.between(0, 0.7);
         snug::MaxSteerOptions options;
-        options.clearance = asked.clearance;
-        options.enter = asked.enter;
+        options.driving = asked.driving;
         options.max_changes = random.below(25);
         const snug::MaxSteerRun got = snug::max_steer(snug::Car(asked.car), snug::Slot(asked.slot), heading, options);
-        auto exact =
-            run(make_problem<long double>(asked.car, asked.slot.length, asked.slot.width, asked.clearance, asked.enter),
-                static_cast<long double>(heading), options.max_changes, true);
+        auto exact = run(make_problem<long double>(asked.car, asked.slot.length, asked.slot.width,
+                                                   asked.driving.clearance, asked.driving.enter),
+                         static_cast<long double>(heading), options.max_changes, true);
         const std::string where =
             command_line(asked) + " heading " + digits(heading) + " max changes " + std::to_string(options.max_changes);
         // A last twitch of less than 1e-12 m before being stuck is rounding.
@@ -274,10 +274,10 @@ TEST(Laws, SteppingConvergesToTheExactAnswerAsItsStepsShrink) {
     int judged = 0;
     for (int i = 0; judged < snug::test::sample(8, 200) && i < 4000; ++i) {
         Case asked = random_case(seed + 9, std::uint64_t(i));
-        asked.clearance = 0;
+        asked.driving.clearance = 0;
         if (asked.kind == "thin") continue;
         snug::EntryOptions options = options_of(asked);
-        const snug::EntryAnswer exact = ask(asked, options);
+        const snug::Answer exact = ask(asked, options);
         if (!exact.direction_changes || *exact.direction_changes > 6) continue;
         const snug::HeadingRange* widest = &exact.ranges.front();
         for (const snug::HeadingRange& r : exact.ranges)

@@ -69,7 +69,7 @@ TEST(Stepping, RotatedHeadingsAndSkippedLooksChangeNothing) {
         const double heading = any_heading(dice, c);
         SCOPED_TRACE(i);
         const LiteralRun plain = literal_run(c.car, c.slot, heading, c.steps, 60, c.clearance);
-        const MaxSteerRun fast = stepping(c.car, c.slot, heading, c.steps, {60, c.clearance, Enter::backward});
+        const MaxSteerRun fast = stepping(c.car, c.slot, heading, c.steps, {60, {c.clearance, {}, Enter::backward}});
         ASSERT_EQ(fast.outcome, plain.outcome);
         ASSERT_EQ(fast.maneuver.moves.size(), plain.steps.size());
         for (std::size_t m = 0; m < plain.steps.size(); ++m) {
@@ -91,11 +91,11 @@ TEST(Stepping, AnEntryListsTheSampledHeadingsThatPark) {
         SCOPED_TRACE(i);
         const Case c = any_case(dice);
         EntryOptions options;
-        options.clearance = c.clearance;
+        options.driving.clearance = c.clearance;
         if (dice.coin()) {
             options.max_changes = 12;
         }
-        const EntryAnswer answer = stepping_entry(c.car, c.slot, options, c.steps);
+        const Answer answer = stepping_entry(c.car, c.slot, options, c.steps);
         std::vector<int> needed;
         int fewest = 1000;
         for (double heading = 0.0; heading <= std::numbers::pi / 2;
@@ -106,7 +106,7 @@ TEST(Stepping, AnEntryListsTheSampledHeadingsThatPark) {
             needed.push_back(changes);
             fewest = std::min(fewest, changes);
         }
-        ASSERT_EQ(answer.parkable, fewest < 1000);
+        ASSERT_EQ(answer.parkable(), fewest < 1000);
         std::size_t listed = 0;
         for (const HeadingRange& range : answer.ranges) {
             for (auto h = std::lround(range.min / c.steps.heading_step);
@@ -117,7 +117,7 @@ TEST(Stepping, AnEntryListsTheSampledHeadingsThatPark) {
         const int most = options.max_changes ? 999 : std::min(fewest, 999);
         ASSERT_EQ(static_cast<long>(listed),
                   std::count_if(needed.begin(), needed.end(), [&](int n) { return n <= most; }));
-        if (answer.parkable) {
+        if (answer.parkable()) {
             ASSERT_EQ(answer.direction_changes, fewest);
             ASSERT_EQ(answer.maneuver->direction_changes(), fewest);
         }
@@ -182,7 +182,7 @@ TEST(Stepping, EveryManeuverObeysEquationOneInTheWorld) {
         const Case c = any_case(dice);
         const Slot slot = placed(dice, c.slot);
         const Enter enter = dice.coin() ? Enter::backward : Enter::forward;
-        const MaxSteerRun run = stepping(c.car, slot, any_heading(dice, c), c.steps, {40, c.clearance, enter});
+        const MaxSteerRun run = stepping(c.car, slot, any_heading(dice, c), c.steps, {40, {c.clearance, {}, enter}});
         for (const Move& move : run.maneuver.moves) {
             ASSERT_EQ(std::abs(move.steering_angle), c.car.max_steer());
             const auto step = [&](const Pose& pose) {
@@ -211,9 +211,9 @@ TEST(Stepping, EnteringNoseFirstIsTheSwappedCarEnteringBackward) {
         const Case c = any_case(dice);
         const Car swapped({c.car.width(), c.car.rear(), c.car.front(), c.car.wheelbase(), c.car.max_steer()});
         EntryOptions forward;
-        forward.enter = Enter::forward;
-        const EntryAnswer nose = stepping_entry(c.car, placed(dice, c.slot), forward, c.steps);
-        const EntryAnswer tail = stepping_entry(swapped, placed(dice, c.slot), {}, c.steps);
+        forward.driving.enter = Enter::forward;
+        const Answer nose = stepping_entry(c.car, placed(dice, c.slot), forward, c.steps);
+        const Answer tail = stepping_entry(swapped, placed(dice, c.slot), {}, c.steps);
         ASSERT_EQ(nose.direction_changes, tail.direction_changes);
         ASSERT_EQ(nose.ranges.size(), tail.ranges.size());
         for (std::size_t r = 0; r < nose.ranges.size(); ++r) {
@@ -250,7 +250,7 @@ TEST(Stepping, TheNamedPartIsAStepFromTheNamedObstacle) {
         const Case c = any_case(dice);
         const Slot slot = placed(dice, c.slot);
         const Enter enter = dice.coin() ? Enter::backward : Enter::forward;
-        const MaxSteerRun run = stepping(c.car, slot, any_heading(dice, c), c.steps, {40, 0.0, enter});
+        const MaxSteerRun run = stepping(c.car, slot, any_heading(dice, c), c.steps, {40, {0.0, {}, enter}});
         for (const Move& move : run.maneuver.moves) {
             if (!move.contact) {
                 continue;
@@ -291,8 +291,8 @@ TEST(Stepping, AMinimumRangeLeavesOutNarrowerStretches) {
         all.max_changes = 200;
         EntryOptions wide;
         wide.min_range = dice.between(0.0, 0.1);
-        const EntryAnswer every = stepping_entry(c.car, c.slot, all, c.steps);
-        const EntryAnswer answer = stepping_entry(c.car, c.slot, wide, c.steps);
+        const Answer every = stepping_entry(c.car, c.slot, all, c.steps);
+        const Answer answer = stepping_entry(c.car, c.slot, wide, c.steps);
         // The widest stretch of headings that need at most n changes, for rising n.
         const auto widest_with = [&](int n) {
             double widest = -1.0;
@@ -311,8 +311,8 @@ TEST(Stepping, AMinimumRangeLeavesOutNarrowerStretches) {
         while (expected <= 200 && widest_with(expected) < wide.min_range - 1e-9) {
             ++expected;
         }
-        ASSERT_EQ(answer.parkable, expected <= 200);
-        if (answer.parkable) {
+        ASSERT_EQ(answer.parkable(), expected <= 200);
+        if (answer.parkable()) {
             ASSERT_EQ(answer.direction_changes, expected);
             ASSERT_EQ(answer.maneuver->direction_changes(), expected);
         }
@@ -329,9 +329,9 @@ TEST(Stepping, StopsWhenToldTo) {
         last = part;
         return ++calls < 3;
     };
-    const EntryAnswer answer = stepping_entry(*find_car("renault-zoe"), Slot({4.5, 2.0}), options, {});
+    const Answer answer = stepping_entry(*find_car("renault-zoe"), Slot({4.5, 2.0}), options, {});
     EXPECT_TRUE(answer.cancelled);
-    EXPECT_FALSE(answer.parkable);
+    EXPECT_FALSE(answer.parkable());
     EXPECT_EQ(calls, 3);
 }
 
@@ -350,7 +350,7 @@ TEST(Stepping, RefusesImpossibleOptions) {
     }
     EXPECT_THROW((void)stepping(car, slot, -0.1), Error);
     EXPECT_THROW((void)stepping(car, slot, 1.6), Error);
-    EXPECT_THROW((void)stepping(car, slot, 0.4, {}, {-1, 0.0, Enter::backward}), Error);
+    EXPECT_THROW((void)stepping(car, slot, 0.4, {}, {-1, {0.0, {}, Enter::backward}}), Error);
     const Car large({.width = 1e5, .front = 1e5, .rear = 1e5, .wheelbase = 1e5, .max_steer = 0.5});
     EXPECT_THROW((void)stepping(large, Slot({3e5, 2e5}), 0.4, {.step = 1e-7}), Error);
 }

@@ -76,12 +76,12 @@ TEST(Sweep, EntriesAreThoseOfOneSlotAtATime) {
     const auto together = entries(car, slots, {}, on(4));
     ASSERT_EQ(alone.size(), slots.size());
     for (std::size_t i = 0; i < slots.size(); ++i) {
-        const EntryAnswer one = entry(car, slots[i]);
+        const Answer one = entry(car, slots[i]);
         EXPECT_EQ(alone[i].direction_changes, one.direction_changes);
         EXPECT_EQ(together[i].direction_changes, one.direction_changes);
-        ASSERT_EQ(alone[i].widest.has_value(), one.parkable);
-        ASSERT_EQ(together[i].widest.has_value(), one.parkable);
-        if (!one.parkable) continue;
+        ASSERT_EQ(alone[i].widest.has_value(), one.parkable());
+        ASSERT_EQ(together[i].widest.has_value(), one.parkable());
+        if (!one.parkable()) continue;
         EXPECT_EQ(slots[i].to_slot(one.maneuver->entry()).heading,
                   alone[i].widest->min + (alone[i].widest->max - alone[i].widest->min) / 2.0);
         EXPECT_EQ(together[i].widest->min, alone[i].widest->min);
@@ -129,14 +129,14 @@ TEST(Sweep, GivesUpInTheMiddleOfARow) {
 
 TEST(Core, AnswersAnyNumberOfThreadsAtOnce) {
     const Slot slot({.length = 4.6, .width = 2.0});
-    const EntryAnswer alone = entry(car, slot);
-    ASSERT_TRUE(alone.parkable);
+    const Answer alone = entry(car, slot);
+    ASSERT_TRUE(alone.parkable());
     std::atomic<int> same{0};
     std::vector<std::thread> threads;
     for (int i = 0; i < 4; ++i)
         threads.emplace_back([&] {
             for (int k = 0; k < 20; ++k) {
-                const EntryAnswer got = entry(car, slot);
+                const Answer got = entry(car, slot);
                 same += got.direction_changes == alone.direction_changes && got.ranges.size() == alone.ranges.size() &&
                         got.ranges.front().min == alone.ranges.front().min &&
                         got.maneuver->length() == alone.maneuver->length();

@@ -50,14 +50,14 @@ void for_each_case(std::uint64_t seed, int count, Test check) {
     for (int i = 0; i < count; ++i) {
         const oracle::Case random = random_case(seed, static_cast<std::uint64_t>(i));
         SCOPED_TRACE(oracle::command_line(random));
-        check(Asked{random, Car(random.car), Slot(random.slot), {200, random.clearance, random.enter}});
+        check(Asked{random, Car(random.car), Slot(random.slot), {200, random.driving}});
     }
 }
 
-EntryAnswer exact(const Asked& asked) {
+Answer exact(const Asked& asked) {
     EntryOptions options;
-    options.clearance = asked.options.clearance;
-    options.enter = asked.options.enter;
+    options.driving.clearance = asked.options.driving.clearance;
+    options.driving.enter = asked.options.driving.enter;
     return entry(asked.car, asked.slot, options);
 }
 
@@ -74,10 +74,10 @@ TEST(ReversedTrials, CanBeDrivenAndNeverNeedFewerChangesThanTheBestEntry) {
         if (!maneuver) return;
         ++parked;
         EXPECT_EQ(faults(asked.random, *maneuver), std::vector<std::string>());
-        const EntryAnswer best = exact(asked);
+        const Answer best = exact(asked);
         // From above p the car may park where no possible entry position does.
-        if (maneuver->moves.front().steering_angle == 0.0 && !best.parkable) return;
-        ASSERT_TRUE(best.parkable);
+        if (maneuver->moves.front().steering_angle == 0.0 && !best.parkable()) return;
+        ASSERT_TRUE(best.parkable());
         EXPECT_GE(maneuver->direction_changes(), best.direction_changes);
     });
     EXPECT_GT(parked, sample(100, 5000) / 4);
@@ -87,8 +87,8 @@ TEST(ReversedTrials, FromTheBestManeuversGoalAreItsTimeReversal) {
     int parked = 0;
     int longer = 0;
     for_each_case(32, sample(100, 5000), [&](const Asked& asked) {
-        const EntryAnswer best = exact(asked);
-        if (!best.parkable) return;
+        const Answer best = exact(asked);
+        if (!best.parkable()) return;
         ++parked;
         const ReversedTrials back{best.maneuver->goal(), against_last_move(*best.maneuver)};
         const std::optional<Maneuver> again = reversed_trials(asked.car, asked.slot, back, asked.options);
@@ -234,14 +234,14 @@ TEST(Trials, AnswerEntryWithAManeuverAndNoRanges) {
     for (const Strategy& strategy : {Strategy(ReversedTrials{}), Strategy(ParallelTrials{})}) {
         EntryOptions options;
         options.strategy = strategy;
-        const EntryAnswer answer = entry(zoe, slot_of(5.0, 2.0), options);
-        EXPECT_TRUE(answer.parkable);
+        const Answer answer = entry(zoe, slot_of(5.0, 2.0), options);
+        EXPECT_TRUE(answer.parkable());
         EXPECT_TRUE(answer.ranges.empty());
         ASSERT_TRUE(answer.maneuver);
         EXPECT_EQ(answer.direction_changes, answer.maneuver->direction_changes());
         options.max_changes = *answer.direction_changes - 1;
-        EXPECT_FALSE(entry(zoe, slot_of(5.0, 2.0), options).parkable);
-        EXPECT_FALSE(entry(zoe, slot_of(4.0, 2.0), options).parkable);
+        EXPECT_FALSE(entry(zoe, slot_of(5.0, 2.0), options).parkable());
+        EXPECT_FALSE(entry(zoe, slot_of(4.0, 2.0), options).parkable());
     }
 }
 
@@ -258,7 +258,7 @@ TEST(Trials, RefuseImpossibleGoalsByName) {
         EXPECT_NE(reversed.find("goal ("), reversed.npos) << reversed;
         EXPECT_NE(parallel.find("goal ("), parallel.npos) << parallel;
     }
-    const MaxSteerOptions clear = {200, 0.1, Enter::backward};
+    const MaxSteerOptions clear = {200, {.clearance = 0.1}};
     const Pose at_rear{zoe.rear() - 5.0, -1.0, 0.0};
     EXPECT_EQ(refusal([&] { static_cast<void>(reversed_trials(zoe, slot, {.goal = at_rear})); }), "");
     EXPECT_NE(refusal([&] { static_cast<void>(reversed_trials(zoe, slot, {.goal = at_rear}, clear)); }), "");

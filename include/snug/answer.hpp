@@ -1,0 +1,51 @@
+// Answer: what is known of parking a car, whichever question was asked.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "snug/maneuver.hpp"
+
+namespace snug {
+
+/// A closed range of headings. [rad]
+struct Headings {
+    double min = 0.0;
+    double max = 0.0;
+
+    friend bool operator==(const Headings&, const Headings&) = default;
+};
+
+/// A maximal range of entry headings that park with the same number of direction changes. Both ends belong to it.
+struct HeadingRange {
+    double min = 0.0;           ///< [rad]
+    double max = 0.0;           ///< [rad]
+    int direction_changes = 0;  ///< what every heading of the range needs
+    int subrange = 0;           ///< ranges that touch (gap at most 1e-11 rad) share it: the paper's subranges
+
+    friend bool operator==(const HeadingRange&, const HeadingRange&) = default;
+};
+
+/// The answer to entry(), fewest() and leave(), and what an atlas is made of.
+struct Answer {
+    /// The fewest that a maneuver was found for; empty where none was.
+    std::optional<int> direction_changes;
+    /// Nothing that was asked about has fewer; more than what is allowed: the car cannot park with as many. Among all
+    /// maneuvers for fewest() and leave(), among entry headings for full steering.
+    int lower_bound = 0;
+    /// The two meet, or the lower bound exceeds what is allowed; with full steering also: no heading is missed.
+    bool proved = false;
+    bool cancelled = false;  ///< the progress callback gave up: as far as it had come
+    /// Full steering: the headings that park, in rising order.
+    std::vector<HeadingRange> ranges;
+    /// Full steering: headings wider than the ends of ranges (1e-11 rad) of which nothing is claimed.
+    std::vector<Headings> undecided;
+    /// One best maneuver.
+    std::optional<Maneuver> maneuver;
+    /// fewest(), leave(): of the finest lattice that was needed [m]; 0 if none was.
+    double spacing = 0.0;
+
+    [[nodiscard]] bool parkable() const { return direction_changes.has_value(); }
+};
+
+}  // namespace snug
