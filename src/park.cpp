@@ -39,7 +39,7 @@ void check_start(const Place& place, const ChartPlace& here) {
     }
     for (std::size_t i = 0; i < here.solids.size(); ++i) {
         const ChartPlace::Solid& solid = here.solids[i];
-        const double deep = detail::overlap(detail::placed(solid.low ? here.wheels : here.body, here.start), solid.corners);
+        const double deep = detail::overlap(detail::placed(here.shapes[solid.stops], here.start), solid.corners);
         if (!(deep > touch)) continue;
         const std::size_t obstacle = place.pieces()[i].obstacle;
         const std::string& name = place.obstacles()[obstacle].name;
@@ -84,6 +84,7 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
                     " m long, too long for this car; name a smaller one");
 
     ParkBounds bounds;
+    bool stopped = false;
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     const Watching watch = [&] {
@@ -93,10 +94,12 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     };
     try {
         narrow(question, bounds, watch);
-    } catch (const Stopped&) {  // as far as it got
+    } catch (const Stopped&) {
+        stopped = true;  // as far as it got
     }
 
     ParkAnswer answer;
+    answer.cancelled = stopped;
     answer.direction_changes = bounds.upper;
     answer.lower_bound = bounds.lower;
     answer.impossible = bounds.impossible;

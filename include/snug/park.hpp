@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "snug/answer.hpp"
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/place.hpp"
@@ -31,18 +32,9 @@ struct ParkOptions {
     std::function<bool(const ParkProgress&)> progress = {};
 };
 
-struct ParkAnswer {
-    /// What `maneuver` needs; empty when no maneuver was found.
-    std::optional<int> direction_changes;
-    /// No maneuver has fewer; more than max_changes: none will do with as many as are allowed.
-    int lower_bound = 0;
-    /// The two meet, or the lower bound exceeds what is allowed.
-    bool proved = false;
-    /// No number of direction changes will do: proved.
-    bool impossible = false;
-    /// From the start to where the car is parked: arcs and straight lines, none of which meets anything.
-    std::optional<Maneuver> maneuver;
-    double spacing = 0.0;  ///< of the finest lattice that was needed [m]
+/// Of the maneuver from the start to where the car is parked: arcs and straight lines, none of which meets anything.
+struct ParkAnswer : Answer {
+    bool impossible = false;  ///< no number of direction changes will do: proved
 };
 
 /// The fewest direction changes with which the car parks from where it stands, whatever way it is steered within its limit

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "snug/car.hpp"
+#include "snug/driving.hpp"
 #include "snug/geometry.hpp"
-#include "snug/max_steer.hpp"
 #include "snug/slot.hpp"
 
 namespace snug {
@@ -19,6 +19,8 @@ struct PlaceObstacle {
     std::vector<Point> corners;  ///< a polygon in either order, convex or not [m]
     bool low = false;            ///< stops the wheels only
     std::string name = {};       ///< "curb", "front neighbour", ...
+    /// What the body keeps from it [m]; empty: as everywhere. Wheels may touch what is low.
+    std::optional<double> clearance = {};
 };
 
 /// Parked is: the whole car stands inside a convex polygon, within an angle of a heading.
@@ -92,9 +94,9 @@ struct Street {
     double heading = 0.0;                ///< of the street [rad]
     double front_setback = 0.0;          ///< how much deeper than the entry side the neighbour ahead begins [m]
     double rear_setback = 0.0;           ///< and the one behind [m]
-    bool low_curb = false;               ///< the curb stops the wheels only
-    double parked_heading = 1.57079;     ///< largest angle off the parked heading [rad]
-    std::optional<double> parked_curb;   ///< largest distance of the car's nearest point from the slot's far side [m]
+    Curb curb = Curb::high;              ///< what it stops
+    std::optional<double> curb_clearance = {};  ///< what the body keeps from it; empty: as everywhere [m]
+    Parked parked = {};                  ///< heading: off the parked one; curb: the side of the slot away from the road
 };
 
 /// The street as a place. Throws Error when a number is impossible.

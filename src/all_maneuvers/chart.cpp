@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include "model/angles.hpp"
 
@@ -66,15 +67,18 @@ ChartPlace chart_place(const Car& car, const Place& place, const Pose& start, do
         return there;
     };
 
-    const double side = car.width() / 2.0, grown = clearance;
-    here.frame = {{car.front(), -side}, {car.front(), side}, {-car.rear(), side}, {-car.rear(), -side}};
-    here.body = {{car.front() + grown, -side - grown},
-                 {car.front() + grown, side + grown},
-                 {-car.rear() - grown, side + grown},
-                 {-car.rear() - grown, -side - grown}};
-    here.wheels = {{car.wheelbase(), -side}, {car.wheelbase(), side}, {0.0, side}, {0.0, -side}};
+    here.frame = car.outline().corners();
     here.radius = car.turning_radius();
-    for (const Place::Piece& piece : place.pieces()) here.solids.push_back({to_chart(piece.corners), piece.low});
+    here.shapes = {car.outline().grown(clearance).corners(), car.wheels().corners()};
+    for (const Place::Piece& piece : place.pieces()) {
+        const std::optional<double>& own = place.obstacles()[piece.obstacle].clearance;
+        std::size_t stops = piece.low ? 1 : 0;
+        if (own && !piece.low) {
+            stops = here.shapes.size();
+            here.shapes.push_back(car.outline().grown(*own).corners());
+        }
+        here.solids.push_back({to_chart(piece.corners), stops});
+    }
     const std::vector<Point> edge = to_chart(region);
     here.region = half_planes(edge);
     here.x_min = here.x_max = edge[0].x;
@@ -188,7 +192,8 @@ Bands bands(const ChartPlace& place, double sine, double h) {
         const double steep = std::min(std::abs(sine) + h / (2.0 * place.radius), steepest_sine);
         spread.half = h / 2.0;
         spread.per_turn = h / (2.0 * place.radius * std::sqrt((1.0 - steep) * (1.0 + steep)));
-        for (const Point& p : place.body) spread.curved = std::max(spread.curved, angles::hypot(p.x, p.y) / 2.0);
+        for (const std::vector<Point>& shape : place.shapes)
+            for (const Point& p : shape) spread.curved = std::max(spread.curved, angles::hypot(p.x, p.y) / 2.0);
         for (const Point& p : place.frame) spread.curved = std::max(spread.curved, angles::hypot(p.x, p.y) / 2.0);
     }
     const auto turned = [&](const std::vector<Point>& shape) {
@@ -196,12 +201,14 @@ Bands bands(const ChartPlace& place, double sine, double h) {
         for (const Point& p : shape) there.push_back(rotated(p, s, c));
         return there;
     };
-    const std::vector<Point> body = turned(place.body), wheels = turned(place.wheels), frame = turned(place.frame);
+    std::vector<std::vector<Point>> shapes;
+    for (const std::vector<Point>& shape : place.shapes) shapes.push_back(turned(shape));
+    const std::vector<Point> frame = turned(place.frame);
 
     Bands all;
     for (const ChartPlace::Solid& solid : place.solids) {
         // Where the axle is when the car touches: the solid widened by the car. Its edges belong to one or the other.
-        const std::vector<Point>& car = solid.low ? wheels : body;
+        const std::vector<Point>& car = shapes[solid.stops];
         BandBuilder widened(-1.0);
         const std::size_t n = solid.corners.size();
         for (std::size_t i = 0; i < n; ++i) {

@@ -2,6 +2,7 @@
 // where along y the car may be. docs/park.md has the reasons.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "snug/geometry.hpp"
@@ -39,13 +40,12 @@ struct ParkedLimit {
 
 /// The question in the chart.
 struct ChartPlace {
-    std::vector<Point> body;   ///< stops at obstacles, about the rear axle, counter-clockwise
-    std::vector<Point> wheels; ///< stops at low ones
-    std::vector<Point> frame;  ///< must be inside when parked
+    std::vector<std::vector<Point>> shapes;  ///< what stops at solids, about the rear axle, counter-clockwise
+    std::vector<Point> frame;                ///< must be inside when parked
     double radius = 0.0;       ///< turning radius
     struct Solid {
         std::vector<Point> corners;  ///< counter-clockwise
-        bool low = false;
+        std::size_t stops = 0;       ///< which of the shapes
     };
     std::vector<Solid> solids;
     std::vector<HalfPlane> region;  ///< of the rear axle's middle
@@ -55,7 +55,8 @@ struct ChartPlace {
     Pose start;
 };
 
-/// Halfway between the heading at the start and the parked one. The body is the frame grown by `clearance` [m].
+/// Turned halfway between the heading at the start and the parked one. What stops is the outline grown by the clearance [m],
+/// or by that of an obstacle, and at low ones the wheels.
 ChartPlace chart_place(const Car& car, const Place& place, const Pose& start, double clearance, Chart& chart);
 
 /// A convex set cut by lines along y: for x between `from` and `to` it lies between the highest of the lower and the lowest

@@ -129,8 +129,7 @@ std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coar
 /// The place for a car that is larger by so much on every side.
 ChartPlace with_grown_car(const ChartPlace& place, double by) {
     ChartPlace grown = place;
-    grown.body = grown_polygon(place.body, by);
-    grown.wheels = grown_polygon(place.wheels, by);
+    for (std::vector<Point>& shape : grown.shapes) shape = grown_polygon(shape, by);
     return grown;
 }
 

@@ -203,7 +203,7 @@ bool is_free(const ChartPlace& place, const Path& piece) {
     for (const HalfPlane& edge : place.region)
         if (farthest_along(piece, edge.normal) > edge.offset + 1e-6) return false;
     for (const ChartPlace::Solid& solid : place.solids)
-        if (first_contact(solid.low ? place.wheels : place.body, piece, solid.corners, touch) < piece.length) return false;
+        if (first_contact(place.shapes[solid.stops], piece, solid.corners, touch) < piece.length) return false;
     return true;
 }
 
@@ -211,7 +211,7 @@ bool is_free(const ChartPlace& place, const Path& piece) {
 
 bool is_drivable(const ChartPlace& place, const std::vector<Path>& way) {
     for (const ChartPlace::Solid& solid : place.solids)
-        if (overlap(placed(solid.low ? place.wheels : place.body, place.start), solid.corners) > touch) return false;
+        if (overlap(placed(place.shapes[solid.stops], place.start), solid.corners) > touch) return false;
     for (const Path& piece : way)
         if (!is_free(place, piece)) return false;
     return is_parked(place, way.empty() ? place.start : way.back().at(way.back().length));

@@ -49,6 +49,7 @@ Place::Place(PlaceDescription description) : description_(std::move(description)
                     spelled(static_cast<double>(most_corners)) + " are allowed");
     for (std::size_t i = 0; i < description_.obstacles.size(); ++i) {
         const PlaceObstacle& obstacle = description_.obstacles[i];
+        if (obstacle.clearance) check_between("clearance of an obstacle", *obstacle.clearance, 0.0, 1e6, " m");
         const std::string what = "obstacle [" + std::to_string(i) + "]" + (obstacle.name.empty() ? "" : " (" + obstacle.name + ")");
         for (std::vector<Point>& piece : detail::convex_pieces(checked_polygon(obstacle.corners, what)))
             pieces_.push_back({std::move(piece), i, obstacle.low});
@@ -89,6 +90,8 @@ struct StreetFrame {
         check_between("slot heading", street.heading, -farthest, farthest, " rad");
         check_between("front setback", street.front_setback, 0.0, street.width, " m");
         check_between("rear setback", street.rear_setback, 0.0, street.width, " m");
+        if (street.curb_clearance) check_between("curb clearance", *street.curb_clearance, 0.0, 1e6, " m");
+        check(street.parked);
         parked = street.enter == Enter::backward ? street.angle : -street.angle;
         const auto [sine, cosine] = angles::sine_cosine(parked);
         const auto at = [&, s = sine, c = cosine](double along, double across) {
@@ -137,7 +140,7 @@ Place street_place(const Street& street) {
     const double across = street.road.value_or(street.stretch);
     PlaceDescription place;
     const auto add = [&](const std::vector<Point>& corners, bool low, const char* name) {
-        place.obstacles.push_back({frame.to_world(corners), low, name});
+        place.obstacles.push_back({frame.to_world(corners), low, name, {}});
     };
     const double sine = angles::sin(street.angle);
     if (street.angle == 0.0) {
@@ -156,17 +159,18 @@ Place street_place(const Street& street) {
         add(neighbour(street.width / sine, street.front_setback), false, "front neighbour");
         add(neighbour(-street.width / sine, street.rear_setback), false, "rear neighbour");
     }
-    add(box(behind - endless, ahead + endless, frame.low - endless, frame.low), street.low_curb, "curb");
+    add(box(behind - endless, ahead + endless, frame.low - endless, frame.low), street.curb == Curb::low, "curb");
+    place.obstacles.back().clearance = street.curb_clearance;
     if (street.road) add(box(behind - endless, ahead + endless, across, across + endless), false, "far side");
 
     ParkedInside parked;
     parked.corners = frame.to_world(frame.bay);
     parked.heading = street.heading + frame.slot().mirrored(frame.parked);
-    parked.heading_tolerance = std::min(street.parked_heading, 1.57079);
-    if (street.parked_curb) {
+    parked.heading_tolerance = std::min(street.parked.heading, 1.57079);
+    if (std::isfinite(street.parked.curb)) {
         // The side away from the road: along the car when it stands parallel, across it else.
         const std::size_t at = street.angle == 0.0 ? 0 : street.enter == Enter::backward ? 3 : 1;
-        parked.beside = ParkedInside::Beside{parked.corners[at], parked.corners[(at + 1) % 4], *street.parked_curb};
+        parked.beside = ParkedInside::Beside{parked.corners[at], parked.corners[(at + 1) % 4], street.parked.curb};
     }
     place.parked = parked;
     place.region = frame.to_world(box(behind, ahead, frame.low, across));

@@ -63,7 +63,7 @@ inline Street random_street(Random& random, const Car& car) {
     street.stretch = random.between(4.0, 9.0);
     street.corner = {random.between(-5.0, 5.0), random.between(-5.0, 5.0)};
     street.heading = random.between(-3.0, 3.0);
-    if (random.chance(0.3)) street.low_curb = true;
+    if (random.chance(0.3)) street.curb = snug::Curb::low;
     return street;
 }
 
@@ -74,7 +74,7 @@ inline std::string described(const Car& car, const Street& street, const Pose& s
          << car.max_steer() << " street " << street.length << " " << street.width << " angle " << street.angle << " road "
          << street.road.value_or(-1.0) << " stretch " << street.stretch << " forward " << (street.enter == Enter::forward)
          << " left " << (street.side == snug::Side::left) << " corner " << street.corner.x << " " << street.corner.y
-         << " heading " << street.heading << " low " << street.low_curb << " start " << start.x << " " << start.y << " "
+         << " heading " << street.heading << " low " << (street.curb == snug::Curb::low) << " start " << start.x << " " << start.y << " "
          << start.heading;
     return text.str();
 }
@@ -106,7 +106,7 @@ inline Case random_case(std::uint64_t index) {
             boxes << " " << corners.back().x << "," << corners.back().y;
         }
         boxes << ";";
-        scene.obstacles.push_back({corners, random.chance(0.2), "box"});
+        scene.obstacles.push_back({corners, random.chance(0.2), "box", {}});
     }
     return {car, Place(scene), start, text + " boxes" + boxes.str()};
 }
