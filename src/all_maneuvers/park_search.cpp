@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <limits>
 #include <utility>
 
 #include "all_maneuvers/inner_sets.hpp"
 #include "all_maneuvers/route.hpp"
+#include "model/angles.hpp"
 #include "model/polygon.hpp"
 
 namespace snug::detail::sets {
@@ -136,8 +137,8 @@ ChartPlace with_grown_car(const ChartPlace& place, double by) {
 /// Looks for ways with as many changes as the moves that are left allow.
 class WaySearch {
 public:
-    WaySearch(const ParkQuestion& asked, const Left& left_moves, const Watching& watch, std::size_t& counted)
-        : question_(asked), left_(left_moves), watch_(watch), updates_(counted) {}
+    WaySearch(const ChartPlace& place, double h0, const Left& left, const Watching& watch, std::size_t& updates)
+        : place_(place), h0_(h0), left_(left), watch_(watch), updates_(updates) {}
 
     /// Any that can be driven; empty if none is found.
     std::vector<Path> any() {
@@ -193,8 +194,8 @@ private:
     }
 
     std::optional<Found> find(double grown, Direction last) {
-        const ChartPlace place = with_grown_car(question_.place, grown);
-        Found found{grown, InnerLattice(place, left_.h, question_.coarsest, left_.hull_of_all, watch_), {}};
+        const ChartPlace place = with_grown_car(place_, grown);
+        Found found{grown, InnerLattice(place, left_.h, h0_, left_.hull_of_all, watch_), {}};
         const std::size_t moves = left_.moves.forward.size();
         found.chain.last = last;
         found.chain.reaches.resize(moves);  // so that directions can be told
@@ -211,16 +212,17 @@ private:
 
     /// Few pieces that keep as much distance as the steps along the lattice do; empty if these meet something.
     std::vector<Path> drivable(const Found& found) {
-        const std::vector<Path> steps = way_by_steps(found.lattice, found.chain, question_.place);
-        if (!is_drivable(question_.place, steps)) return {};
+        const std::vector<Path> steps = way_by_steps(found.lattice, found.chain, place_);
+        if (!is_drivable(place_, steps)) return {};
         for (double keeps = found.grown; keeps > smallest / 2.0; keeps /= 2.0) {
-            const ChartPlace wary = with_grown_car(question_.place, keeps);
+            const ChartPlace wary = with_grown_car(place_, keeps);
             if (is_drivable(wary, steps)) return with_few_pieces(wary, steps);
         }
-        return with_few_pieces(question_.place, steps);
+        return with_few_pieces(place_, steps);
     }
 
-    const ParkQuestion& question_;
+    const ChartPlace& place_;
+    double h0_;
     const Left& left_;
     const Watching& watch_;
     std::size_t& updates_;
@@ -253,6 +255,50 @@ int changes_of(const std::vector<Path>& way) {
 
 constexpr int tried_above = 2;    ///< counts above the lower bound for which a lattice looks for a way
 constexpr int far_above = 40;     ///< and how far the coarse ones look for where to begin
+
+/// Places that want the car parked better: close to the parked heading, and well inside; the last is as asked.
+std::vector<ChartPlace> better_parked(const ChartPlace& place, double h) {
+    std::vector<ChartPlace> places;
+    const double middle = (std::max(place.parked_from, -1.0) + std::min(place.parked_to, 1.0)) / 2.0;
+    const double heading = place.start.heading * -1.0;  // the chart lies halfway
+    const double sine = angles::sin(heading), cosine = angles::cos(heading);
+    const double close = 0.6 * h / (2.0 * place.radius);
+    const bool has_middle = sine - close >= place.parked_from && sine + close <= place.parked_to;
+    for (const double inside : {0.7, 0.3, 0.0}) {
+        ChartPlace better = place;
+        better.parked_from = std::max(place.parked_from, (has_middle ? sine : middle) - close);
+        better.parked_to = std::min(place.parked_to, (has_middle ? sine : middle) + close);
+        for (ParkedLimit& limit : better.parked) {
+            if (limit.of != ParkedLimit::whole_car) continue;
+            // Half of what the opposite side leaves when the car stands at the parked heading.
+            double slack = std::numeric_limits<double>::infinity();
+            for (const ParkedLimit& opposite : place.parked) {
+                const Point &n = limit.within.normal, &m = opposite.within.normal;
+                if (opposite.of != ParkedLimit::whole_car || n.x * m.x + n.y * m.y > -0.999999) continue;
+                double least = std::numeric_limits<double>::infinity(), most = -least;
+                for (const Point& p : place.frame) {
+                    const double at = n.x * (p.x * cosine - p.y * sine) + n.y * (p.x * sine + p.y * cosine);
+                    least = std::min(least, at);
+                    most = std::max(most, at);
+                }
+                slack = std::min(slack, (limit.within.offset + opposite.within.offset - (most - least)) / 2.0);
+            }
+            if (slack > 0.0 && slack < std::numeric_limits<double>::infinity()) limit.within.offset -= inside * slack;
+        }
+        places.push_back(std::move(better));
+    }
+    places.push_back(place);
+    return places;
+}
+
+/// Of the ways with as many changes as are left one that ends well and keeps a distance; empty if none is found.
+std::vector<Path> way_to_drive(const ParkQuestion& question, const Left& left, const Watching& watch, std::size_t& updates) {
+    for (const ChartPlace& place : better_parked(question.place, left.h)) {
+        std::vector<Path> way = WaySearch(place, question.coarsest, left, watch, updates).roomiest();
+        if (!way.empty() && is_drivable(question.place, way)) return way;
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -294,7 +340,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         return left;
     };
     const auto try_way = [&](const Left& left) {
-        std::vector<Path> way = WaySearch(question, left, watch, bounds.updates).any();
+        std::vector<Path> way = WaySearch(question.place, h0, left, watch, bounds.updates).any();
         if (way.empty()) return false;
         const int changes = changes_of(way);
         if (!bounds.upper || changes < *bounds.upper) {
@@ -304,22 +350,32 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         return true;
     };
 
-    for (double h = h0; h > 0.999 * question.finest; h /= 2.0) {
+    double found_at = h0;  ///< spacing of the lattice that has the way
+    const auto left_for = [&](int changes, double h) {
+        std::optional<Left> left = left_with(changes);
+        while (left && left->h > 1.001 * h) left = refined(question.place, h0, *left, bounds, watch);
+        return left;
+    };
+    const auto finish = [&] {
+        if (!question.roomiest || !bounds.upper) return;
+        const std::optional<Left> left = left_for(*bounds.upper, found_at);
+        if (!left) return;
+        std::vector<Path> way = way_to_drive(question, *left, watch, bounds.updates);
+        if (!way.empty() && changes_of(way) == *bounds.upper) bounds.way = std::move(way);
+    };
+    for (double h = h0; h > 0.999 * question.finest && !bounds.meet(); h /= 2.0) {
         // What is left for the lower bound at this spacing; each count that turns out impossible moves it up.
         std::optional<Left> left;
-        while (!left) {
-            if (bounds.meet() || bounds.lower > question.max_changes) return;
-            left = left_with(bounds.lower);
-            while (left && left->h > 1.001 * h) left = refined(question.place, h0, *left, bounds, watch);
+        while (!left && !bounds.meet() && bounds.lower <= question.max_changes) {
+            left = left_for(bounds.lower, h);
             if (!left) ++bounds.lower;
         }
+        if (!left) break;
         bounds.spacing = h;
-        const auto left_for = [&](int changes) {
-            std::optional<Left> for_them = left_with(changes);
-            while (for_them && for_them->h > 1.001 * h) for_them = refined(question.place, h0, *for_them, bounds, watch);
-            return for_them;
-        };
-        if (try_way(*left)) return;
+        if (try_way(*left)) {
+            found_at = h;
+            break;
+        }
         left.reset();
         // None found with as few as the lower bound: how many may it take?
         int changes = bounds.lower + 1;
@@ -331,11 +387,13 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         }
         const int most = std::min({question.max_changes, changes + tried_above, bounds.upper.value_or(question.max_changes + 1) - 1});
         for (; changes <= most; ++changes) {
-            const std::optional<Left> more = left_for(changes);
-            if (more && try_way(*more)) break;
+            const std::optional<Left> more = left_for(changes, h);
+            if (!more || !try_way(*more)) continue;
+            found_at = h;
+            break;
         }
-        if (bounds.meet()) return;
     }
+    finish();
 }
 
 }  // namespace snug::detail::sets

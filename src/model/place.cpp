@@ -179,7 +179,12 @@ Place street_place(const Street& street) {
 
 Pose standard_start(const Street& street, const Car& car) {
     const StreetFrame frame(street);
-    if (street.angle == 0.0) return frame.slot().to_world(Pose{car.rear(), 1.0 + car.width() / 2.0, 0.0});
+    if (street.angle == 0.0) {
+        // Where the road is too narrow for that, in the middle of it.
+        const double aside = car.outline().right() + 1.0;
+        const bool fits = !street.road || aside + car.outline().left() <= *street.road;
+        return frame.slot().to_world(Pose{car.rear(), fits ? aside : *street.road / 2.0, 0.0});
+    }
     const double middle = std::min(street.road.value_or(6.0), 6.0) / 2.0;
     const double x = street.enter == Enter::backward ? car.rear() : frame.rear - car.front();
     return frame.slot().to_world(Pose{x, middle, 0.0});
