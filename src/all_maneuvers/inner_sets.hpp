@@ -54,7 +54,7 @@ struct InnerSet {
 
 class InnerLattice {
 public:
-    /// Nodes at distance h, within `cells` of the lattice of lower bounds.
+    /// Nodes at distance h, within `cells` of the lattice of lower bounds, which must outlive it.
     InnerLattice(const ChartPlace& place, double h, double h0, const Layer& cells, const Watching& watch);
 
     [[nodiscard]] double h() const { return h_; }
@@ -63,26 +63,28 @@ public:
     [[nodiscard]] double sine(int column) const { return start_sine_ + column * sine_step_; }
     /// r cos(heading)
     [[nodiscard]] double level(int column) const { return level_[static_cast<std::size_t>(column - first_column_)]; }
-    [[nodiscard]] const InnerSet& free() const { return free_; }
     [[nodiscard]] const InnerSet& parked() const { return parked_; }
 
-    /// The free intervals, clipped to cells of the lattice of lower bounds.
-    [[nodiscard]] InnerSet clipped(const Limits& limits) const;
-    /// Everything from which a move leads back to `starts`, within `free`.
-    [[nodiscard]] InnerSet sweep(const InnerSet& starts, const InnerSet& free, Direction direction,
-                                 const Watching& watch) const;
+    /// Everything from which a move leads back to `starts`, within `limits` of the lattice of lower bounds.
+    [[nodiscard]] InnerSet sweep(const InnerSet& starts, const Limits& limits, Direction direction, const Watching& watch);
     [[nodiscard]] bool holds_start(const InnerSet& set) const { return set.at(0, 0).room(start_.y) >= 0.0; }
 
-    mutable std::size_t updates = 0;
+    std::size_t updates = 0;
 
 private:
+    /// What solids and the region leave free at a node of the spans; measured when first asked for.
+    InnerSet::Few measured(int row, const Span& span, int cell);
+
     double h_, radius_, sine_step_;
     Pose start_;
     double start_sine_;
     int offset_ = 0;  ///< the node (i, j) lies in the cell (i + offset, j + offset)
     int first_column_ = 0;
     std::vector<double> level_;
+    const Layer* cells_;
+    std::vector<Bands> columns_;
     InnerSet free_, parked_;
+    std::vector<Interval> taken_;
 };
 
 }  // namespace snug::detail::sets

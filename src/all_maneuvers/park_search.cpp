@@ -201,9 +201,8 @@ private:
         found.chain.reaches.resize(moves);  // so that directions can be told
         for (std::size_t k = 0; k < moves; ++k) {
             const Direction direction = found.chain.direction(k);
-            const InnerSet free = found.lattice.clipped(left_.moves.of(direction)[k]);
             found.chain.begins.push_back(k == 0 ? found.lattice.parked() : found.chain.reaches[k - 1]);
-            found.chain.reaches[k] = found.lattice.sweep(found.chain.begins[k], free, direction, watch_);
+            found.chain.reaches[k] = found.lattice.sweep(found.chain.begins[k], left_.moves.of(direction)[k], direction, watch_);
         }
         updates_ += found.lattice.updates;
         if (!found.lattice.holds_start(found.chain.reaches.back())) return std::nullopt;
@@ -229,16 +228,17 @@ private:
 };
 
 /// The fewest changes along the lattice of upper bounds, up to `most`, whatever is met between its nodes.
-std::optional<int> changes_along(const ChartPlace& place, double h, double h0, const Layer& cells, int most,
+std::optional<int> changes_along(const ChartPlace& place, double h, double h0, const Limits& limits, int most,
                                  const Watching& watch, std::size_t& updates) {
-    const InnerLattice lattice(place, h, h0, cells, watch);
+    const Layer cells = hull({&limits});
+    InnerLattice lattice(place, h, h0, cells, watch);
     BothWays<InnerSet> now;
     std::optional<int> changes;
     for (int k = 0; k <= most && !changes; ++k) {
         BothWays<InnerSet> next;
         for (const Direction direction : both_directions) {
             const InnerSet& begin = k == 0 ? lattice.parked() : now.of(other(direction)).front();
-            next.of(direction).push_back(lattice.sweep(begin, lattice.free(), direction, watch));
+            next.of(direction).push_back(lattice.sweep(begin, limits, direction, watch));
             if (lattice.holds_start(next.of(direction).front())) changes = k;
         }
         now = std::move(next);
@@ -381,9 +381,8 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         int changes = bounds.lower + 1;
         if (!bounds.upper && h > 0.3 * h0) {
             const OuterLattice all(question.place, h, h0, nullptr, watch);
-            const Limits& free = all.free();
             const int most = std::min(question.max_changes, bounds.lower + far_above);
-            changes = std::max(changes, changes_along(question.place, h, h0, hull({&free}), most, watch, bounds.updates).value_or(most + 1));
+            changes = std::max(changes, changes_along(question.place, h, h0, all.free(), most, watch, bounds.updates).value_or(most + 1));
         }
         const int most = std::min({question.max_changes, changes + tried_above, bounds.upper.value_or(question.max_changes + 1) - 1});
         for (; changes <= most; ++changes) {
