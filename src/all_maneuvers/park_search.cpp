@@ -37,36 +37,39 @@ struct BothWays {
 
 constexpr Direction both_directions[] = {Direction::forward, Direction::backward};
 
-/// Sets of a whole lattice, nothing clipped, as deep as asked for: outward from the parked poses and from the start.
-class CoarseSets {
-public:
-    explicit CoarseSets(const OuterLattice& on) : lattice(on) {}
-
-    /// One more move each way; false when it adds nothing.
-    bool deepen(BothWays<Pairs>& sets, bool from_start, const Watching& watch) const {
-        const Limits& limits = lattice.free();
-        const std::size_t k = sets.forward.size();
-        for (const Direction direction : both_directions) {
-            Pairs pairs;
-            if (k > 0) {
-                pairs = lattice.turn(sets.of(other(direction))[k - 1], limits, limits, direction);
-            } else {
-                pairs = from_start ? lattice.begin_at_start(limits, direction)
+/// The moves with so many changes, one forward and one backward, from those with one less, if there are any. Nothing is clipped.
+BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward, bool from_start,
+                           const Watching& watch) {
+    const Limits& limits = lattice.free();
+    BothWays<Pairs> next;
+    for (const Direction direction : both_directions) {
+        const Pairs* before = direction == Direction::forward ? last_backward : last_forward;
+        Pairs pairs = before       ? lattice.turn(*before, limits, limits, direction)
+                      : from_start ? lattice.begin_at_start(limits, direction)
                                    : lattice.begin(lattice.parked(), limits, direction);
-            }
-            lattice.sweep(pairs, limits, direction, watch);
-            sets.of(direction).push_back(std::move(pairs));
-        }
-        return k == 0 || !same(sets.forward[k], sets.forward[k - 1]) || !same(sets.backward[k], sets.backward[k - 1]);
+        lattice.sweep(pairs, limits, direction, watch);
+        next.of(direction).push_back(std::move(pairs));
     }
-    [[nodiscard]] bool start_reached(const BothWays<Pairs>& sets) const {
-        for (const Direction direction : both_directions)
-            if (lattice.holds_start(sets.of(direction).back(), lattice.free(), direction)) return true;
-        return false;
-    }
+    return next;
+}
 
-    const OuterLattice& lattice;
+/// With how many changes the sets around the parked poses reach the start: no maneuver has fewer.
+struct Counted {
+    int changes = 0;          ///< more than `most` when they do not
+    bool impossible = false;  ///< they never will
 };
+Counted count_from_below(const OuterLattice& lattice, int most, const Watching& watch) {
+    BothWays<Pairs> now;
+    for (int k = 0; k <= most; ++k) {
+        BothWays<Pairs> next = next_moves(lattice, k > 0 ? &now.forward.back() : nullptr, k > 0 ? &now.backward.back() : nullptr, false, watch);
+        for (const Direction direction : both_directions)
+            if (lattice.holds_start(next.of(direction).back(), lattice.free(), direction)) return {k, false};
+        if (k > 0 && same(next.forward.back(), now.forward.back()) && same(next.backward.back(), now.backward.back()))
+            return {most + 1, true};
+        now = std::move(next);
+    }
+    return {most + 1, false};
+}
 
 /// What is left of a lattice when only maneuvers with so many changes count: where the car can be in every move of leaving.
 struct Left {
@@ -255,6 +258,7 @@ int changes_of(const std::vector<Path>& way) {
 
 constexpr int tried_above = 2;    ///< counts above the lower bound for which a lattice looks for a way
 constexpr int far_above = 40;     ///< and how far the coarse ones look for where to begin
+constexpr int many_changes = 20;  ///< from so many on finer lattices count first
 
 /// Places that want the car parked better: close to the parked heading, and well inside; the last is as asked.
 std::vector<ChartPlace> better_parked(const ChartPlace& place, double h) {
@@ -305,30 +309,35 @@ std::vector<Path> way_to_drive(const ParkQuestion& question, const Left& left, c
 void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& watch) {
     const double h0 = question.coarsest;
     const OuterLattice lattice(question.place, h0, h0, nullptr, watch);
-    const CoarseSets coarse(lattice);
-    BothWays<Pairs> out, in;
-    int reached = 0;
-    for (;; ++reached) {
-        if (reached > question.max_changes) {
-            bounds.lower = question.max_changes + 1;
-            return;
-        }
-        const bool more = coarse.deepen(out, false, watch);
-        if (coarse.start_reached(out)) break;
-        if (!more) {
-            bounds.impossible = true;
-            bounds.lower = question.max_changes + 1;
-            return;
-        }
-        bounds.lower = reached + 1;
+    // Where it takes many changes, they are counted on finer lattices at once: that is cheap, as nothing needs to be kept.
+    for (double h = h0; h > 0.999 * question.finest; h /= 2.0) {
+        if (h < h0 && bounds.lower < many_changes) break;
+        std::optional<OuterLattice> finer;
+        if (h < h0) finer.emplace(question.place, h, h0, nullptr, watch);
+        const OuterLattice& here = finer ? *finer : lattice;
+        const Counted counted = count_from_below(here, question.max_changes, watch);
+        bounds.updates += std::exchange(here.updates, 0);
+        bounds.spacing = h;
+        bounds.lower = std::max(bounds.lower, counted.changes);
+        bounds.impossible = counted.impossible;
+        if (bounds.impossible) bounds.lower = question.max_changes + 1;
+        if (bounds.lower > question.max_changes) return;
     }
-    bounds.updates += lattice.updates;
-    bounds.lower = reached;
+    BothWays<Pairs> out, in;
     bounds.spacing = h0;
 
     const auto left_with = [&](int changes) {
-        while (static_cast<int>(out.forward.size()) <= changes) coarse.deepen(out, false, watch);
-        while (static_cast<int>(in.forward.size()) <= changes) coarse.deepen(in, true, watch);
+        const auto deepen = [&](BothWays<Pairs>& sets, bool from_start) {
+            while (static_cast<int>(sets.forward.size()) <= changes) {
+                const bool first = sets.forward.empty();
+                BothWays<Pairs> next = next_moves(lattice, first ? nullptr : &sets.forward.back(),
+                                                  first ? nullptr : &sets.backward.back(), from_start, watch);
+                for (const Direction direction : both_directions)
+                    sets.of(direction).push_back(std::move(next.of(direction).front()));
+            }
+        };
+        deepen(out, false);
+        deepen(in, true);
         Left left;
         left.h = h0;
         for (const Direction direction : both_directions)
