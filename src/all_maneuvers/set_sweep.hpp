@@ -7,9 +7,10 @@
 
 namespace snug::detail::sets {
 
-/// A stretch of cells that takes in pairs (z, w): those that fit its intervals, clipped to them, and the hull of these.
+/// A stretch of cells that takes in pairs (z, w): those that fit its intervals, clipped to them. Each cell keeps two: what
+/// overlaps one of them, or, when neither is free any more, lies nearer to it, makes that the hull of both.
 struct Taking {
-    Micro *z, *w;
+    Micro *z, *w, *other_z, *other_w;
     const Micro *low, *high;
     const Micro *up, *down, *z_high, *w_low, *apart;
 };
