@@ -19,10 +19,10 @@ using namespace detail::sets;
 
 constexpr double half_turn = 3.141592653589793;
 constexpr double most_changes = 1000.0;
-constexpr double usual_part = 1.0 / 400;     ///< of the car's length: the usual resolution
-constexpr double coarsest_part = 1.0 / 50;   ///< and no lattice is coarser
-constexpr double most_cells = 2e7;           ///< of the coarsest lattice
-constexpr double touch = 1e-9;               ///< deeper is contact [m]
+constexpr double usual_part = 1.0 / 400;    ///< of the car's length: the usual resolution
+constexpr double coarsest_part = 1.0 / 50;  ///< and no lattice is coarser
+constexpr double most_cells = 2e7;          ///< of the coarsest lattice
+constexpr double touch = 1e-9;              ///< deeper is contact [m]
 
 void check(const ParkOptions& options) {
     check_between("maximum of direction changes", options.max_changes, 0.0, most_changes, "");
@@ -35,7 +35,8 @@ void check_start(const Place& place, const ChartPlace& here) {
     for (const HalfPlane& edge : here.region) {
         const double out = edge.normal.x * here.start.x + edge.normal.y * here.start.y - edge.offset;
         if (out > touch)
-            throw Error("the car starts outside the region, by " + spelled(out) + " m; move it, or make the region larger");
+            throw Error("the car starts outside the region, by " + spelled(out) +
+                        " m; move it, or make the region larger");
     }
     for (std::size_t i = 0; i < here.solids.size(); ++i) {
         const ChartPlace::Solid& solid = here.solids[i];
@@ -44,8 +45,8 @@ void check_start(const Place& place, const ChartPlace& here) {
         const std::size_t obstacle = place.pieces()[i].obstacle;
         const std::string& name = place.obstacles()[obstacle].name;
         throw Error("the car starts in contact with " +
-                    (name.empty() ? "obstacle [" + std::to_string(obstacle) + "]" : "the " + name) + ", " + spelled(deep) +
-                    " m deep; move it away");
+                    (name.empty() ? "obstacle [" + std::to_string(obstacle) + "]" : "the " + name) + ", " +
+                    spelled(deep) + " m deep; move it away");
     }
 }
 

@@ -27,7 +27,8 @@ struct ParkOptions {
     /// tried first, and the search ends where the bounds meet.
     double resolution = 0.0;
     double time_limit = std::numeric_limits<double>::infinity();  ///< ends with the bounds found so far [s]
-    bool roomiest = true;  ///< look for a maneuver that keeps its distance; otherwise any with that many changes will do
+    bool roomiest =
+        true;  ///< look for a maneuver that keeps its distance; otherwise any with that many changes will do
     /// Told from time to time; returning false ends with the bounds found so far.
     std::function<bool(const ParkProgress&)> progress = {};
 };

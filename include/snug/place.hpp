@@ -82,21 +82,21 @@ private:
 /// are the same rectangle, shifted along the street by width / sin(angle); at angle 0 they are the street's edge in front
 /// and behind. A curb runs along the street at the depth of the deepest corner.
 struct Street {
-    double length = 0.0;                 ///< [m]
-    double width = 0.0;                  ///< [m]
-    double angle = 0.0;                  ///< 0 to pi/2 [rad]
-    std::optional<double> road = {};     ///< a wall along the street so far beyond the entry side [m]; empty: none
-    double stretch = 10.0;               ///< how far beyond the slot, ahead and behind, the rear axle may go; without a wall
-                                         ///< also how far beyond the entry side [m]
-    Enter enter = Enter::backward;       ///< tail or nose first
-    Side side = Side::right;             ///< of the road
-    Point corner = {0.0, 0.0};           ///< [m]
-    double heading = 0.0;                ///< of the street [rad]
-    double front_setback = 0.0;          ///< how much deeper than the entry side the neighbour ahead begins [m]
-    double rear_setback = 0.0;           ///< and the one behind [m]
-    Curb curb = Curb::high;              ///< what it stops
+    double length = 0.0;              ///< [m]
+    double width = 0.0;               ///< [m]
+    double angle = 0.0;               ///< 0 to pi/2 [rad]
+    std::optional<double> road = {};  ///< a wall along the street so far beyond the entry side [m]; empty: none
+    double stretch = 10.0;          ///< how far beyond the slot, ahead and behind, the rear axle may go; without a wall
+                                    ///< also how far beyond the entry side [m]
+    Enter enter = Enter::backward;  ///< tail or nose first
+    Side side = Side::right;        ///< of the road
+    Point corner = {0.0, 0.0};      ///< [m]
+    double heading = 0.0;           ///< of the street [rad]
+    double front_setback = 0.0;     ///< how much deeper than the entry side the neighbour ahead begins [m]
+    double rear_setback = 0.0;      ///< and the one behind [m]
+    Curb curb = Curb::high;         ///< what it stops
     std::optional<double> curb_clearance = {};  ///< what the body keeps from it; empty: as everywhere [m]
-    Parked parked = {};                  ///< heading: off the parked one; curb: the side of the slot away from the road
+    Parked parked = {};  ///< heading: off the parked one; curb: the side of the slot away from the road
 };
 
 /// The street as a place. Throws Error when a number is impossible.

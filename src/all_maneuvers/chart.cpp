@@ -27,7 +27,8 @@ Pose Chart::to_chart(const Pose& world) const {
 }
 
 Pose Chart::to_world(const Pose& here) const {
-    return {origin.x + here.x * cosine - here.y * sine, origin.y + here.x * sine + here.y * cosine, here.heading + turned};
+    return {origin.x + here.x * cosine - here.y * sine, origin.y + here.x * sine + here.y * cosine,
+            here.heading + turned};
 }
 
 namespace {
@@ -133,12 +134,14 @@ void Band::at(double x, double& low, double& high) const {
 
 namespace {
 
-constexpr double upright = 1e-7;   ///< steeper edges are taken for upright ones
-constexpr double tallest = 1000.0; ///< no y is farther from the origin [m]
+constexpr double upright = 1e-7;    ///< steeper edges are taken for upright ones
+constexpr double tallest = 1000.0;  ///< no y is farther from the origin [m]
 
 double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 
-Point rotated(const Point& p, double sine, double cosine) { return {p.x * cosine - p.y * sine, p.x * sine + p.y * cosine}; }
+Point rotated(const Point& p, double sine, double cosine) {
+    return {p.x * cosine - p.y * sine, p.x * sine + p.y * cosine};
+}
 
 /// Half planes as lines. Upright ones are moved out (`grows` 1) or in (-1) by what they may lean.
 struct BandBuilder {
@@ -174,9 +177,9 @@ struct BandBuilder {
 
 /// How far points of the car can move within a cell, in the direction of a normal.
 struct Spread {
-    double half = 0.0;       ///< of the spacing
-    double per_turn = 0.0;   ///< half of it as an angle
-    double curved = 0.0;     ///< what turning adds to turning along the tangent
+    double half = 0.0;      ///< of the spacing
+    double per_turn = 0.0;  ///< half of it as an angle
+    double curved = 0.0;    ///< what turning adds to turning along the tangent
 
     [[nodiscard]] double of_point(const Point& normal, const Point& from_axle) const {
         const double turning = std::abs(normal.y * from_axle.x - normal.x * from_axle.y);
@@ -237,7 +240,8 @@ Bands bands(const ChartPlace& place, double sine, double h) {
         all.solids.push_back(std::move(widened.band));
     }
     BandBuilder region(1.0);
-    for (const HalfPlane& edge : place.region) region.add(edge.normal, edge.offset + spread.half * std::abs(edge.normal.x));
+    for (const HalfPlane& edge : place.region)
+        region.add(edge.normal, edge.offset + spread.half * std::abs(edge.normal.x));
     region.close();
     all.region = std::move(region.band);
 
@@ -252,12 +256,14 @@ Bands bands(const ChartPlace& place, double sine, double h) {
             if (limit.of == ParkedLimit::axle) offset = limit.within.offset + spread.half * std::abs(normal.x);
             if (limit.of == ParkedLimit::whole_car) {
                 for (const Point& p : frame)
-                    offset = std::min(offset, limit.within.offset - dot(normal, p) + (h > 0.0 ? spread.of_point(normal, p) : 0.0));
+                    offset = std::min(
+                        offset, limit.within.offset - dot(normal, p) + (h > 0.0 ? spread.of_point(normal, p) : 0.0));
             }
             if (limit.of == ParkedLimit::nearest_point) {
                 offset = -offset;
                 for (const Point& p : frame)
-                    offset = std::max(offset, limit.within.offset - dot(normal, p) + (h > 0.0 ? spread.of_point(normal, p) : 0.0));
+                    offset = std::max(
+                        offset, limit.within.offset - dot(normal, p) + (h > 0.0 ? spread.of_point(normal, p) : 0.0));
             }
             parked.add(normal, offset);
         }

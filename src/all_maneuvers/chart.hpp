@@ -42,7 +42,7 @@ struct ParkedLimit {
 struct ChartPlace {
     std::vector<std::vector<Point>> shapes;  ///< what stops at solids, about the rear axle, counter-clockwise
     std::vector<Point> frame;                ///< must be inside when parked
-    double radius = 0.0;       ///< turning radius
+    double radius = 0.0;                     ///< turning radius
     struct Solid {
         std::vector<Point> corners;  ///< counter-clockwise
         std::size_t stops = 0;       ///< which of the shapes
@@ -50,7 +50,7 @@ struct ChartPlace {
     std::vector<Solid> solids;
     std::vector<HalfPlane> region;  ///< of the rear axle's middle
     std::vector<ParkedLimit> parked;
-    double parked_from = 0.0, parked_to = 0.0;  ///< sines of headings
+    double parked_from = 0.0, parked_to = 0.0;                  ///< sines of headings
     double x_min = 0.0, x_max = 0.0, y_min = 0.0, y_max = 0.0;  ///< around the region
     Pose start;
 };

@@ -189,8 +189,10 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
             for (const Interval& from : rights) found.push_back({from.low + from_right, from.high + from_right});
             // Across a cell: by way of one side, of the other, or turning off in between, where both are free.
             if (!from_before_that.empty() && left >= free_before.from && right <= free_before.to) {
-                const double least = 2.0 * std::min(from_left, from_right), most = 2.0 * std::max(from_left, from_right);
-                const InnerSet::Few ones = measured(row - step, free_before, left), others = measured(row - step, free_before, right);
+                const double least = 2.0 * std::min(from_left, from_right),
+                             most = 2.0 * std::max(from_left, from_right);
+                const InnerSet::Few ones = measured(row - step, free_before, left),
+                                    others = measured(row - step, free_before, right);
                 for (const Interval& from : from_before_that) {
                     for (std::uint32_t i = ones.begin; i < ones.begin + ones.count; ++i) {
                         for (std::uint32_t j = others.begin; j < others.begin + others.count; ++j) {
@@ -210,7 +212,8 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
                 if (cell < cells.from || cell > cells.to) continue;
                 const double low = layer.low[cells.at(cell)] * micro, high = layer.high[cells.at(cell)] * micro;
                 for (std::uint32_t i = free.begin; i < free.begin + free.count; ++i) {
-                    const Interval both = {std::max(low, free_.intervals[i].low), std::min(high, free_.intervals[i].high)};
+                    const Interval both = {std::max(low, free_.intervals[i].low),
+                                           std::min(high, free_.intervals[i].high)};
                     if (both.low <= both.high) rooms.push_back(both);
                 }
             }
@@ -223,7 +226,8 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
             }
             if (clipped.empty()) continue;
             tidy(clipped);
-            set.of[span.at(cell)] = {static_cast<std::uint32_t>(set.intervals.size()), static_cast<std::uint32_t>(clipped.size())};
+            set.of[span.at(cell)] = {static_cast<std::uint32_t>(set.intervals.size()),
+                                     static_cast<std::uint32_t>(clipped.size())};
             set.intervals.insert(set.intervals.end(), clipped.begin(), clipped.end());
             if (live.empty()) live.from = cell;
             live.to = cell;

@@ -36,7 +36,8 @@ struct InnerSet {
         [[nodiscard]] double room(double y) const {
             double most = -1.0;
             for (const Interval& interval : *this)
-                if (y >= interval.low && y <= interval.high) most = std::max(most, std::min(y - interval.low, interval.high - y));
+                if (y >= interval.low && y <= interval.high)
+                    most = std::max(most, std::min(y - interval.low, interval.high - y));
             return most;
         }
     };
@@ -66,7 +67,8 @@ public:
     [[nodiscard]] const InnerSet& parked() const { return parked_; }
 
     /// Everything from which a move leads back to `starts`, within `limits` of the lattice of lower bounds.
-    [[nodiscard]] InnerSet sweep(const InnerSet& starts, const Limits& limits, Direction direction, const Watching& watch);
+    [[nodiscard]] InnerSet sweep(const InnerSet& starts, const Limits& limits, Direction direction,
+                                 const Watching& watch);
     [[nodiscard]] bool holds_start(const InnerSet& set) const { return set.at(0, 0).room(start_.y) >= 0.0; }
 
     std::size_t updates = 0;

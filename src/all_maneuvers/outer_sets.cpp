@@ -331,7 +331,8 @@ Limits trimmed(const Limits& limits) {
         }
         if (first <= last) {
             mine.spans.first = first;
-            mine.spans.rows.assign(spans.begin() + (first - layer.spans.first), spans.begin() + (last - layer.spans.first) + 1);
+            mine.spans.rows.assign(spans.begin() + (first - layer.spans.first),
+                                   spans.begin() + (last - layer.spans.first) + 1);
         }
         mine.spans.store();
         mine.low.assign(mine.spans.cells + vector_padding, nowhere);
@@ -365,17 +366,10 @@ template <class Numbers>
 Taking taking_of(Pairs::Two& pairs, const Layer& layer, const Span& span, const Numbers& numbers,
                  const ColumnNumbers& apart, int row, int cell) {
     const std::size_t at = span.at(cell);
-    return {pairs[0].z.data() + at,
-            pairs[0].w.data() + at,
-            pairs[1].z.data() + at,
-            pairs[1].w.data() + at,
-            layer.low.data() + at,
-            layer.high.data() + at,
-            numbers.up.at(row, cell),
-            numbers.down.at(row, cell),
-            numbers.z_high.at(row, cell),
-            numbers.w_low.at(row, cell),
-            apart.at(row, cell)};
+    return {pairs[0].z.data() + at,      pairs[0].w.data() + at,     pairs[1].z.data() + at,
+            pairs[1].w.data() + at,      layer.low.data() + at,      layer.high.data() + at,
+            numbers.up.at(row, cell),    numbers.down.at(row, cell), numbers.z_high.at(row, cell),
+            numbers.w_low.at(row, cell), apart.at(row, cell)};
 }
 
 }  // namespace
@@ -402,7 +396,8 @@ Pairs OuterLattice::begin(const Limits& places, const Limits& limits, Direction 
                 if (first > last) continue;
                 const auto skip = static_cast<std::size_t>(first - given.from);
                 take_in(taking_of(pairs.layers[k], limits[k], mine, of, apart_, row, first),
-                        {z.data() + skip, w.data() + skip, nullptr, nullptr}, static_cast<std::size_t>(last - first) + 1);
+                        {z.data() + skip, w.data() + skip, nullptr, nullptr},
+                        static_cast<std::size_t>(last - first) + 1);
             }
         }
     }
@@ -453,7 +448,8 @@ bool OuterLattice::holds(const Pairs& pairs, const Limits& limits, Direction dir
     return false;
 }
 
-Pairs OuterLattice::turn(const Pairs& before, const Limits& limits_before, const Limits& limits, Direction direction) const {
+Pairs OuterLattice::turn(const Pairs& before, const Limits& limits_before, const Limits& limits,
+                         Direction direction) const {
     Pairs pairs = none(limits);
     const Numbers& of = numbers(direction);
     std::vector<Micro> z, w;
@@ -478,7 +474,8 @@ Pairs OuterLattice::turn(const Pairs& before, const Limits& limits_before, const
                     if (first > last) continue;
                     const auto skip = static_cast<std::size_t>(first - given.from);
                     take_in(taking_of(pairs.layers[k], limits[k], mine, of, apart_, row, first),
-                            {z.data() + skip, w.data() + skip, nullptr, nullptr}, static_cast<std::size_t>(last - first) + 1);
+                            {z.data() + skip, w.data() + skip, nullptr, nullptr},
+                            static_cast<std::size_t>(last - first) + 1);
                 }
             }
         }
@@ -575,8 +572,10 @@ Limits OuterLattice::common(const Pairs& one, Direction direction, const Pairs& 
                 for (const Pairs::Of& mine : one.layers[k]) {
                     for (const Pairs::Of& theirs : other.layers[k]) {
                         if (mine.z[at] == -nowhere || theirs.z[at] == -nowhere) continue;
-                        const Micro from = std::max({low, mine.w[at] + *of.down.at(row, cell), theirs.w[at] + *of_other.down.at(row, cell)});
-                        const Micro to = std::min({high, mine.z[at] + *of.up.at(row, cell), theirs.z[at] + *of_other.up.at(row, cell)});
+                        const Micro from = std::max(
+                            {low, mine.w[at] + *of.down.at(row, cell), theirs.w[at] + *of_other.down.at(row, cell)});
+                        const Micro to = std::min(
+                            {high, mine.z[at] + *of.up.at(row, cell), theirs.z[at] + *of_other.up.at(row, cell)});
                         if (from > to) continue;
                         layer.low[at] = std::min(layer.low[at], from);
                         layer.high[at] = std::max(layer.high[at], to);

@@ -135,10 +135,10 @@ public:
 
 private:
     struct Numbers {
-        ColumnNumbers up, down;            ///< y <= z + up, y >= w + down
-        ColumnNumbers z_high, w_low;       ///< z <= y + z_high, w >= y - w_low
+        ColumnNumbers up, down;               ///< y <= z + up, y >= w + down
+        ColumnNumbers z_high, w_low;          ///< z <= y + z_high, w >= y - w_low
         ColumnNumbers from_left, from_right;  ///< what z, or w, gains on the way from the column beside
-        ColumnNumbers turn_z, turn_w;      ///< and at a change into this direction
+        ColumnNumbers turn_z, turn_w;         ///< and at a change into this direction
     };
     /// The cell a pose lies in, and what lies between the pair's bounds and y there.
     struct Place {

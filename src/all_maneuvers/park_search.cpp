@@ -32,8 +32,8 @@ struct BothWays {
 constexpr Direction both_directions[] = {Direction::forward, Direction::backward};
 
 /// The moves with so many changes, one forward and one backward, from those with one less, if there are any. Nothing is clipped.
-BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward, bool from_start,
-                           const Watching& watch) {
+BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,
+                           bool from_start, const Watching& watch) {
     const Limits& limits = lattice.free();
     BothWays<Pairs> next;
     for (const Direction direction : both_directions) {
@@ -55,7 +55,8 @@ struct Counted {
 Counted count_from_below(const OuterLattice& lattice, int most, const Watching& watch) {
     BothWays<Pairs> now;
     for (int k = 0; k <= most; ++k) {
-        BothWays<Pairs> next = next_moves(lattice, k > 0 ? &now.forward.back() : nullptr, k > 0 ? &now.backward.back() : nullptr, false, watch);
+        BothWays<Pairs> next = next_moves(lattice, k > 0 ? &now.forward.back() : nullptr,
+                                          k > 0 ? &now.backward.back() : nullptr, false, watch);
         for (const Direction direction : both_directions)
             if (lattice.holds_start(next.of(direction).back(), lattice.free(), direction)) return {k, false};
         if (k > 0 && next.forward.back() == now.forward.back() && next.backward.back() == now.backward.back())
@@ -80,7 +81,8 @@ Layer hull_of(const BothWays<Limits>& moves) {
 }
 
 /// From what is left of the lattice twice as coarse to what is left of this one; nothing when the start is out of reach.
-std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coarse, ParkBounds& bounds, const Watching& watch) {
+std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coarse, ParkBounds& bounds,
+                            const Watching& watch) {
     const double h = coarse.h / 2.0;
     const OuterLattice lattice(place, h, h0, &coarse.hull_of_all, watch);
     const std::size_t moves = coarse.moves.forward.size();
@@ -93,7 +95,8 @@ std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coar
         for (const Direction direction : both_directions) {
             const Limits& mine = limits.of(direction)[k];
             Pairs pairs = k == 0 ? lattice.begin(lattice.parked(), mine, direction)
-                                 : lattice.turn(out.of(other(direction))[k - 1], limits.of(other(direction))[k - 1], mine, direction);
+                                 : lattice.turn(out.of(other(direction))[k - 1], limits.of(other(direction))[k - 1],
+                                                mine, direction);
             lattice.sweep(pairs, mine, direction, watch);
             out.of(direction).push_back(std::move(pairs));
         }
@@ -112,9 +115,11 @@ std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coar
         for (const Direction direction : both_directions) {
             const Limits& mine = limits.of(other(direction))[k];
             Pairs pairs = k + 1 == moves ? lattice.begin_at_start(mine, direction)
-                                         : lattice.turn(in.of(other(direction)).front(), limits.of(direction)[k + 1], mine, direction);
+                                         : lattice.turn(in.of(other(direction)).front(), limits.of(direction)[k + 1],
+                                                        mine, direction);
             lattice.sweep(pairs, mine, direction, watch);
-            left.moves.of(other(direction))[k] = lattice.common(out.of(other(direction))[k], other(direction), pairs, mine);
+            left.moves.of(other(direction))[k] =
+                lattice.common(out.of(other(direction))[k], other(direction), pairs, mine);
             now.of(direction).push_back(std::move(pairs));
         }
         in = std::move(now);
@@ -199,7 +204,8 @@ private:
         for (std::size_t k = 0; k < moves; ++k) {
             const Direction direction = found.chain.direction(k);
             found.chain.begins.push_back(k == 0 ? found.lattice.parked() : found.chain.reaches[k - 1]);
-            found.chain.reaches[k] = found.lattice.sweep(found.chain.begins[k], left_.moves.of(direction)[k], direction, watch_);
+            found.chain.reaches[k] =
+                found.lattice.sweep(found.chain.begins[k], left_.moves.of(direction)[k], direction, watch_);
         }
         updates_ += found.lattice.updates;
         if (!found.lattice.holds_start(found.chain.reaches.back())) return std::nullopt;
@@ -290,7 +296,8 @@ std::vector<ChartPlace> better_parked(const ChartPlace& place, double h) {
 }
 
 /// Of the ways with as many changes as are left one that ends well and keeps a distance; empty if none is found.
-std::vector<Path> way_to_drive(const ParkQuestion& question, const Left& left, const Watching& watch, std::size_t& updates) {
+std::vector<Path> way_to_drive(const ParkQuestion& question, const Left& left, const Watching& watch,
+                               std::size_t& updates) {
     for (const ChartPlace& place : better_parked(question.place, left.h)) {
         std::vector<Path> way = WaySearch(place, question.coarsest, left, watch, updates).roomiest();
         if (!way.empty() && is_drivable(question.place, way)) return way;
@@ -337,8 +344,8 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         for (const Direction direction : both_directions)
             for (std::size_t k = 0; k <= static_cast<std::size_t>(changes); ++k)
                 left.moves.of(direction).push_back(
-                    lattice.common(out.of(direction)[k], direction, in.of(other(direction))[static_cast<std::size_t>(changes) - k],
-                                   lattice.free()));
+                    lattice.common(out.of(direction)[k], direction,
+                                   in.of(other(direction))[static_cast<std::size_t>(changes) - k], lattice.free()));
         left.hull_of_all = hull_of(left.moves);
         return left;
     };
@@ -385,9 +392,12 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         if (!bounds.upper && h > 0.3 * h0) {
             const OuterLattice all(question.place, h, h0, nullptr, watch);
             const int most = std::min(question.max_changes, bounds.lower + far_above);
-            changes = std::max(changes, changes_along(question.place, h, h0, all.free(), most, watch, bounds.updates).value_or(most + 1));
+            changes = std::max(
+                changes,
+                changes_along(question.place, h, h0, all.free(), most, watch, bounds.updates).value_or(most + 1));
         }
-        const int most = std::min({question.max_changes, changes + tried_above, bounds.upper.value_or(question.max_changes + 1) - 1});
+        const int most = std::min(
+            {question.max_changes, changes + tried_above, bounds.upper.value_or(question.max_changes + 1) - 1});
         for (; changes <= most; ++changes) {
             const std::optional<Left> more = left_for(changes, h);
             if (!more || !try_way(*more)) continue;

@@ -39,14 +39,15 @@ struct Stepper {
         }
         // To the left the car keeps y + r cos, to the right y - r cos. Driving back to the left the heading falls.
         const int to = steering == left ? d + way : d - way;
-        const double gain = steering == left ? lattice.level(d) - lattice.level(to) : lattice.level(to) - lattice.level(d);
+        const double gain =
+            steering == left ? lattice.level(d) - lattice.level(to) : lattice.level(to) - lattice.level(d);
         return {at.row + way, to, at.y + gain};
     }
 };
 
 /// Adds a piece of so many steps to the way; a piece of the same kind grows.
-void drive_on(const InnerLattice& lattice, std::vector<Path>& way, Pose& pose, int& column, Steering steering, int steps,
-              Direction direction) {
+void drive_on(const InnerLattice& lattice, std::vector<Path>& way, Pose& pose, int& column, Steering steering,
+              int steps, Direction direction) {
     Path piece;
     piece.start = pose;
     piece.way = direction == Direction::forward ? 1.0 : -1.0;
@@ -255,12 +256,12 @@ std::vector<std::vector<Path>> ways_between(const Pose& from, const Pose& to, do
                 heading = turn;
             }
             const double first = turned_left(one * heading), last = turned_left(other * (turn - heading));
-            found.push_back({first < full_turn - 1e-9 ? first : 0.0, middle, last < full_turn - 1e-9 ? last : 0.0, one, other});
+            found.push_back(
+                {first < full_turn - 1e-9 ? first : 0.0, middle, last < full_turn - 1e-9 ? last : 0.0, one, other});
         }
     }
-    std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
-        return a.first + a.middle + a.last < b.first + b.middle + b.last;
-    });
+    std::sort(found.begin(), found.end(),
+              [](const Found& a, const Found& b) { return a.first + a.middle + a.last < b.first + b.middle + b.last; });
     std::vector<std::vector<Path>> ways;
     for (const Found& of : found) {
         if (of.first > 2.5 || of.last > 2.5) continue;
@@ -296,14 +297,16 @@ std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Pat
         std::size_t end = begin;
         while (end < way.size() && way[end].way == way[begin].way) ++end;
         // Poses 0 to n of this move; a stretch from one to another is replaced if that meets nothing.
-        std::vector<Path> move(way.begin() + static_cast<std::ptrdiff_t>(begin), way.begin() + static_cast<std::ptrdiff_t>(end));
+        std::vector<Path> move(way.begin() + static_cast<std::ptrdiff_t>(begin),
+                               way.begin() + static_cast<std::ptrdiff_t>(end));
         const std::size_t n = move.size();
         const auto pose = [&](std::size_t i) { return i < n ? move[i].start : move.back().at(move.back().length); };
         Pose at = pose(0);
         const auto shortcut = [&](std::size_t to) {
             for (std::vector<Path>& pieces : ways_between(at, pose(to), way[begin].way, place.radius)) {
                 if (!stays_in_chart(pieces)) continue;
-                if (std::all_of(pieces.begin(), pieces.end(), [&](const Path& piece) { return is_free(place, piece); })) return pieces;
+                if (std::all_of(pieces.begin(), pieces.end(), [&](const Path& piece) { return is_free(place, piece); }))
+                    return pieces;
             }
             return std::vector<Path>{};
         };

@@ -30,8 +30,8 @@ void take_in_cells(const Taking& to, const Given& given, std::size_t count) {
         const auto down = hn::LoadU(tag, to.down + i);
         const auto top = hn::Add(z, up);
         const auto bottom = hn::Add(w, down);
-        const auto misses = hn::Or(hn::Or(hn::Lt(top, low), hn::Gt(bottom, high)),
-                                   hn::Lt(hn::Sub(z, w), hn::LoadU(tag, to.apart + i)));
+        const auto misses =
+            hn::Or(hn::Or(hn::Lt(top, low), hn::Gt(bottom, high)), hn::Lt(hn::Sub(z, w), hn::LoadU(tag, to.apart + i)));
         const auto one_z = hn::LoadU(tag, to.z + i);
         const auto one_w = hn::LoadU(tag, to.w + i);
         const auto two_z = hn::LoadU(tag, to.other_z + i);
@@ -39,7 +39,9 @@ void take_in_cells(const Taking& to, const Given& given, std::size_t count) {
         const auto gap = [&](auto with_z, auto with_w) {
             const auto between = hn::Max(hn::Sub(bottom, hn::Add(with_z, up)), hn::Sub(hn::Add(with_w, down), top));
             const auto empty = hn::Eq(with_z, hn::Set(tag, -nowhere));
-            return hn::IfThenElse(empty, hn::Zero(tag), hn::Add(between, hn::IfThenElseZero(hn::Gt(between, hn::Zero(tag)), hn::Set(tag, 1))));
+            return hn::IfThenElse(
+                empty, hn::Zero(tag),
+                hn::Add(between, hn::IfThenElseZero(hn::Gt(between, hn::Zero(tag)), hn::Set(tag, 1))));
         };
         // Negative or 0 where they overlap; an empty one is as good as one that touches.
         const auto gap_one = gap(one_z, one_w);

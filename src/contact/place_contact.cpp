@@ -124,7 +124,8 @@ double first_contact(const std::vector<Point>& shape, const Path& path, const st
     const Point ahead = {path.way * c, path.way * s};
     Point centre{};
     if (!straight) centre = {path.start.x - s / path.curvature, path.start.y + c / path.curvature};
-    double first = corners_into_edges(placed(shape, path.start), solid, straight, centre, ahead, sense, radius, path.length, touch);
+    double first = corners_into_edges(placed(shape, path.start), solid, straight, centre, ahead, sense, radius,
+                                      path.length, touch);
     // The same seen from the car: the solid's corners come towards it, turning the other way.
     std::vector<Point> seen;
     for (const Point& p : solid) {

@@ -24,7 +24,8 @@ std::vector<Point> checked_polygon(const std::vector<Point>& corners, const std:
         check_between(what + ": corner x", corner.x, -farthest, farthest, " m");
         check_between(what + ": corner y", corner.y, -farthest, farthest, " m");
     }
-    if (corners.size() < 3) throw Error(what + " has " + spelled(static_cast<double>(corners.size())) + " corners, but needs at least 3");
+    if (corners.size() < 3)
+        throw Error(what + " has " + spelled(static_cast<double>(corners.size())) + " corners, but needs at least 3");
     std::vector<Point> kept = detail::without_idle_corners(corners);
     if (detail::crosses_itself(kept)) throw Error(what + " crosses itself; cut it into polygons that do not");
     const double area = detail::area(kept);
@@ -50,7 +51,8 @@ Place::Place(PlaceDescription description) : description_(std::move(description)
     for (std::size_t i = 0; i < description_.obstacles.size(); ++i) {
         const PlaceObstacle& obstacle = description_.obstacles[i];
         if (obstacle.clearance) check_between("clearance of an obstacle", *obstacle.clearance, 0.0, 1e6, " m");
-        const std::string what = "obstacle [" + std::to_string(i) + "]" + (obstacle.name.empty() ? "" : " (" + obstacle.name + ")");
+        const std::string what =
+            "obstacle [" + std::to_string(i) + "]" + (obstacle.name.empty() ? "" : " (" + obstacle.name + ")");
         for (std::vector<Point>& piece : detail::convex_pieces(checked_polygon(obstacle.corners, what)))
             pieces_.push_back({std::move(piece), i, obstacle.low});
     }
@@ -62,7 +64,8 @@ Place::Place(PlaceDescription description) : description_(std::move(description)
         if (inside->beside) {
             check_between("distance from the curb when parked", inside->beside->distance, 0.0, farthest, " m");
             const Point &from = inside->beside->from, &to = inside->beside->to;
-            if (!(angles::hypot(to.x - from.x, to.y - from.y) > 1e-9)) throw Error("the line to park beside has no direction");
+            if (!(angles::hypot(to.x - from.x, to.y - from.y) > 1e-9))
+                throw Error("the line to park beside has no direction");
         }
     } else {
         const auto& at = std::get<ParkedAt>(description_.parked);
@@ -112,7 +115,10 @@ struct StreetFrame {
     }
 
     [[nodiscard]] Slot slot() const {
-        return Slot({.length = street.length, .width = street.width, .side = street.side, .corner = street.corner,
+        return Slot({.length = street.length,
+                     .width = street.width,
+                     .side = street.side,
+                     .corner = street.corner,
                      .heading = street.heading});
     }
     [[nodiscard]] std::vector<Point> to_world(const std::vector<Point>& corners) const {
@@ -122,8 +128,8 @@ struct StreetFrame {
     }
 
     const Street& street;
-    double parked = 0.0;      ///< heading
-    std::vector<Point> bay;   ///< rear right corner first, counter-clockwise
+    double parked = 0.0;                        ///< heading
+    std::vector<Point> bay;                     ///< rear right corner first, counter-clockwise
     double low = 0.0, rear = 0.0, front = 0.0;  ///< extents
 };
 

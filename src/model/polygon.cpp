@@ -15,8 +15,8 @@ double area(const std::vector<Point>& corners) {
 namespace {
 
 bool on_segment(const Point& p, const Point& a, const Point& b) {
-    return turn(a, b, p) == 0.0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
-           p.y <= std::max(a.y, b.y);
+    return turn(a, b, p) == 0.0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
+           std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
 }
 
 bool touch(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -41,7 +41,8 @@ bool crosses_itself(const std::vector<Point>& corners) {
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = i + 1; j < n; ++j) {
             const Point &a = corners[i], &b = corners[(i + 1) % n], &c = corners[j], &d = corners[(j + 1) % n];
-            if (j == i + 1 ? on_segment(d, a, b) : (j + 1) % n == i ? on_segment(c, a, b) : touch(a, b, c, d)) return true;
+            if (j == i + 1 ? on_segment(d, a, b) : (j + 1) % n == i ? on_segment(c, a, b) : touch(a, b, c, d))
+                return true;
         }
     }
     return false;

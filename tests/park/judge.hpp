@@ -17,7 +17,8 @@ struct Corner {
 };
 
 inline std::vector<Corner> car_at(const snug::Car& car, const snug::Pose& pose, bool wheels) {
-    const double front = wheels ? car.wheelbase() : car.front(), rear = wheels ? 0.0 : car.rear(), side = car.width() / 2;
+    const double front = wheels ? car.wheelbase() : car.front(), rear = wheels ? 0.0 : car.rear(),
+                 side = car.width() / 2;
     const double c = std::cos(pose.heading), s = std::sin(pose.heading);
     std::vector<Corner> corners;
     for (const Corner& p : {Corner{front, side}, {-rear, side}, {-rear, -side}, {front, -side}})
@@ -63,7 +64,8 @@ inline double outside(const std::vector<snug::Point>& polygon, const Corner& p) 
     double most = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const snug::Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        most = std::max(most, ((b.y - a.y) * (p.x - a.x) - (b.x - a.x) * (p.y - a.y)) / std::hypot(b.x - a.x, b.y - a.y));
+        most =
+            std::max(most, ((b.y - a.y) * (p.x - a.x) - (b.x - a.x) * (p.y - a.y)) / std::hypot(b.x - a.x, b.y - a.y));
     }
     return most;
 }
@@ -75,26 +77,30 @@ inline double outside_region(const snug::Place& place, const snug::Pose& pose) {
 /// How far the pose is from being parked; at most 0 when it is.
 inline double short_of_parked(const snug::Car& car, const snug::Place& place, const snug::Pose& pose) {
     if (const auto* inside = std::get_if<snug::ParkedInside>(&place.parked())) {
-        double most = std::abs(std::remainder(pose.heading - inside->heading, 2 * 3.14159265358979323846)) - inside->heading_tolerance;
+        double most = std::abs(std::remainder(pose.heading - inside->heading, 2 * 3.14159265358979323846)) -
+                      inside->heading_tolerance;
         for (const Corner& p : car_at(car, pose, false)) most = std::max(most, outside(inside->corners, p));
         if (inside->beside) {
             const snug::Point &a = inside->beside->from, &b = inside->beside->to;
             double nearest = 1e300;
             for (const Corner& p : car_at(car, pose, false))
-                nearest = std::min(nearest, std::abs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / std::hypot(b.x - a.x, b.y - a.y));
+                nearest = std::min(nearest, std::abs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) /
+                                                std::hypot(b.x - a.x, b.y - a.y));
             most = std::max(most, nearest - inside->beside->distance);
         }
         return most;
     }
     const auto& at = std::get<snug::ParkedAt>(place.parked());
-    const double c = std::cos(at.pose.heading), s = std::sin(at.pose.heading), x = pose.x - at.pose.x, y = pose.y - at.pose.y;
-    return std::max({std::abs(x * c + y * s) - at.along, std::abs(y * c - x * s) - at.across,
-                     std::abs(std::remainder(pose.heading - at.pose.heading, 2 * 3.14159265358979323846)) - at.heading});
+    const double c = std::cos(at.pose.heading), s = std::sin(at.pose.heading), x = pose.x - at.pose.x,
+                 y = pose.y - at.pose.y;
+    return std::max(
+        {std::abs(x * c + y * s) - at.along, std::abs(y * c - x * s) - at.across,
+         std::abs(std::remainder(pose.heading - at.pose.heading, 2 * 3.14159265358979323846)) - at.heading});
 }
 
 /// Empty when the maneuver is right; else what is wrong.
-inline std::string verdict(const snug::Car& car, const snug::Place& place, const snug::Pose& start, const snug::ParkAnswer& answer,
-                           double spacing = 0.01) {
+inline std::string verdict(const snug::Car& car, const snug::Place& place, const snug::Pose& start,
+                           const snug::ParkAnswer& answer, double spacing = 0.01) {
     std::ostringstream wrong;
     wrong.precision(12);
     const auto& moves = answer.maneuver->moves;
@@ -102,9 +108,11 @@ inline std::string verdict(const snug::Car& car, const snug::Place& place, const
     int changes = 0;
     for (std::size_t i = 0; i < moves.size(); ++i) {
         const auto& move = moves[i];
-        if (std::abs(move.start.x - at.x) + std::abs(move.start.y - at.y) + std::abs(move.start.heading - at.heading) > 1e-9)
+        if (std::abs(move.start.x - at.x) + std::abs(move.start.y - at.y) + std::abs(move.start.heading - at.heading) >
+            1e-9)
             wrong << "move " << i << " does not start where the last one ended; ";
-        if (std::abs(move.steering_angle) > car.max_steer() + 1e-12) wrong << "move " << i << " steers beyond the limit; ";
+        if (std::abs(move.steering_angle) > car.max_steer() + 1e-12)
+            wrong << "move " << i << " steers beyond the limit; ";
         if (i > 0) changes += move.direction != moves[i - 1].direction;
         const double curvature = std::tan(move.steering_angle) / car.wheelbase();
         const double way = move.direction == snug::Direction::forward ? 1.0 : -1.0;
@@ -126,7 +134,8 @@ inline std::string verdict(const snug::Car& car, const snug::Place& place, const
             const snug::Pose pose = pose_at(move.length * k / std::max(1, steps));
             const double deep = depth_in_place(car, place, pose), out = outside_region(place, pose);
             if (deep > 1e-8) {
-                wrong << "move " << i << " is " << deep << " m deep in an obstacle after " << move.length * k / std::max(1, steps) << " m; ";
+                wrong << "move " << i << " is " << deep << " m deep in an obstacle after "
+                      << move.length * k / std::max(1, steps) << " m; ";
                 break;
             }
             if (out > 2e-6) {
@@ -135,11 +144,13 @@ inline std::string verdict(const snug::Car& car, const snug::Place& place, const
             }
         }
         const snug::Pose end = pose_at(move.length);
-        if (std::abs(move.end.x - end.x) + std::abs(move.end.y - end.y) + std::abs(move.end.heading - end.heading) > 1e-9)
+        if (std::abs(move.end.x - end.x) + std::abs(move.end.y - end.y) + std::abs(move.end.heading - end.heading) >
+            1e-9)
             wrong << "move " << i << " does not end where it says; ";
         at = move.end;
     }
-    if (changes != *answer.direction_changes) wrong << changes << " direction changes, not " << *answer.direction_changes << "; ";
+    if (changes != *answer.direction_changes)
+        wrong << changes << " direction changes, not " << *answer.direction_changes << "; ";
     if (const double by = short_of_parked(car, place, at); by > 1e-8) wrong << "not parked, by " << by << "; ";
     return wrong.str();
 }

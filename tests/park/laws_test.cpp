@@ -67,9 +67,11 @@ TEST(ParkLaws, MoreRoadSmallerCarsAndLongerSlotsAreNoHarder) {
         const std::size_t at = static_cast<std::size_t>(random.whole(0, static_cast<int>(moves.size()) - 1));
         int left = 0;
         for (std::size_t k = at + 1; k < moves.size(); ++k) left += moves[k].direction != moves[k - 1].direction;
-        const Pose there = drive(bay->car, moves[at].start, moves[at].direction, moves[at].steering_angle, 0.5 * moves[at].length);
+        const Pose there =
+            drive(bay->car, moves[at].start, moves[at].direction, moves[at].steering_angle, 0.5 * moves[at].length);
         if (depth_in_place(bay->car, street_place(bay->street), there) > -1e-6) continue;
-        EXPECT_LE(park(bay->car, street_place(bay->street), there, quick()).lower_bound, left) << "from the middle of move " << at;
+        EXPECT_LE(park(bay->car, street_place(bay->street), there, quick()).lower_bound, left)
+            << "from the middle of move " << at;
     }
 }
 
@@ -84,8 +86,13 @@ TEST(ParkLaws, MirroredAndMovedWorldsAgree) {
         other.side = bay->street.side == snug::Side::right ? snug::Side::left : snug::Side::right;
         other.corner = {100000.0, -200000.0};  // as map projections have them
         other.heading = 2.0;
-        const snug::Slot from({.length = 1, .width = 1, .side = bay->street.side, .corner = bay->street.corner, .heading = bay->street.heading});
-        const snug::Slot to({.length = 1, .width = 1, .side = other.side, .corner = other.corner, .heading = other.heading});
+        const snug::Slot from({.length = 1,
+                               .width = 1,
+                               .side = bay->street.side,
+                               .corner = bay->street.corner,
+                               .heading = bay->street.heading});
+        const snug::Slot to(
+            {.length = 1, .width = 1, .side = other.side, .corner = other.corner, .heading = other.heading});
         const auto there = park(bay->car, street_place(other), to.to_world(from.to_slot(bay->start)), quick());
         // Bounds are rounded in the chart, so they may differ only where they do not prove anything.
         if (here.direction_changes) {

@@ -21,7 +21,8 @@ using snug::Direction;
 snug::Pose driven(const snug::Pose& from, double curvature, double on) {
     const double turned = on * curvature;
     if (std::abs(turned) < 1e-9)
-        return {from.x + on * std::cos(from.heading + turned / 2), from.y + on * std::sin(from.heading + turned / 2), from.heading + turned};
+        return {from.x + on * std::cos(from.heading + turned / 2), from.y + on * std::sin(from.heading + turned / 2),
+                from.heading + turned};
     return {from.x + (std::sin(from.heading + turned) - std::sin(from.heading)) / curvature,
             from.y - (std::cos(from.heading + turned) - std::cos(from.heading)) / curvature, from.heading + turned};
 }
@@ -65,7 +66,8 @@ TEST(OuterSets, HoldEveryPlaceOfRandomManeuversOutOfTheSlot) {
                 pose.x = middle.x - back * std::cos(pose.heading) + random.between(-0.6, 0.6);
                 pose.y = middle.y - back * std::sin(pose.heading) + random.between(-0.6, 0.6);
                 parked = short_of_parked(asked.car, asked.place, pose) <= -1e-9 &&
-                         depth_in_place(asked.car, asked.place, pose) < -1e-9 && outside_region(asked.place, pose) < -1e-9;
+                         depth_in_place(asked.car, asked.place, pose) < -1e-9 &&
+                         outside_region(asked.place, pose) < -1e-9;
             }
             if (!parked) continue;
             bool is_forward = random.chance(0.5);
@@ -75,14 +77,16 @@ TEST(OuterSets, HoldEveryPlaceOfRandomManeuversOutOfTheSlot) {
                 bool go_on = true;
                 for (int piece = 0; piece < pieces && go_on; ++piece) {
                     const double most = std::tan(asked.car.max_steer()) / asked.car.wheelbase();
-                    const double curvature = random.chance(0.6) ? (random.chance(0.5) ? most : -most) : random.between(-most, most);
+                    const double curvature =
+                        random.chance(0.6) ? (random.chance(0.5) ? most : -most) : random.between(-most, most);
                     const double step = 0.02;
                     const int steps = random.whole(1, 150);
                     for (int s = 0; s < steps; ++s) {
                         const snug::Pose next = driven(pose, curvature, is_forward ? step : -step);
                         const snug::Pose in_chart = chart.to_chart(next);
                         const double turned = std::remainder(in_chart.heading, 2 * 3.14159265358979323846);
-                        if (depth_in_place(asked.car, asked.place, next) > -1e-9 || outside_region(asked.place, next) > -1e-9 ||
+                        if (depth_in_place(asked.car, asked.place, next) > -1e-9 ||
+                            outside_region(asked.place, next) > -1e-9 ||
                             std::abs(turned) > 79.9 * 3.14159265358979323846 / 180) {
                             go_on = false;
                             break;
@@ -91,9 +95,10 @@ TEST(OuterSets, HoldEveryPlaceOfRandomManeuversOutOfTheSlot) {
                         ++states;
                         const auto& sets = is_forward ? forward : backward;
                         const Direction direction = is_forward ? Direction::forward : Direction::backward;
-                        ASSERT_TRUE(lattice.holds(sets[static_cast<std::size_t>(k)], limits, direction, {in_chart.x, in_chart.y, turned}))
-                            << "spacing " << spacing << ", maneuver " << n << ", change " << k << ", at " << pose.x << " " << pose.y << " "
-                            << pose.heading;
+                        ASSERT_TRUE(lattice.holds(sets[static_cast<std::size_t>(k)], limits, direction,
+                                                  {in_chart.x, in_chart.y, turned}))
+                            << "spacing " << spacing << ", maneuver " << n << ", change " << k << ", at " << pose.x
+                            << " " << pose.y << " " << pose.heading;
                     }
                 }
             }

@@ -24,7 +24,8 @@ TEST(Park, EveryManeuverParksWithoutTouchingAnything) {
         snug::ParkOptions options;
         options.resolution = 0.04;
         options.max_changes = 12;
-        if (depth_in_place(asked.car, asked.place, asked.start) > -1e-6 || outside_region(asked.place, asked.start) > 0) {
+        if (depth_in_place(asked.car, asked.place, asked.start) > -1e-6 ||
+            outside_region(asked.place, asked.start) > 0) {
             EXPECT_THROW(park(asked.car, asked.place, asked.start, options), snug::Error);
             ++refused;
             continue;

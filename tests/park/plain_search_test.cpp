@@ -42,7 +42,9 @@ private:
     static constexpr double step = 0.15, cell = 0.1, turn = 0.04;
 
     [[nodiscard]] std::uint64_t key(const Pose& pose) const {
-        const auto number = [](double value) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)) + (1 << 20)); };
+        const auto number = [](double value) {
+            return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value)) + (1 << 20));
+        };
         return number(pose.x / cell) << 42 ^ number(pose.y / cell) << 21 ^ number(pose.heading / turn);
     }
 
@@ -62,8 +64,10 @@ private:
                 for (int k = 0; k < 5 && free; ++k) {
                     const double on = (way ? 1.0 : -1.0) * step / 5, turned = on * curvature;
                     next = {next.x + on * std::cos(next.heading + turned / 2) * sinc(turned / 2),
-                            next.y + on * std::sin(next.heading + turned / 2) * sinc(turned / 2), next.heading + turned};
-                    free = depth_in_place(asked_.car, asked_.place, next) < -1e-3 && outside_region(asked_.place, next) < 0;
+                            next.y + on * std::sin(next.heading + turned / 2) * sinc(turned / 2),
+                            next.heading + turned};
+                    free = depth_in_place(asked_.car, asked_.place, next) < -1e-3 &&
+                           outside_region(asked_.place, next) < 0;
                 }
                 if (!free || !seen_[way].insert(key(next)).second) continue;
                 reached.push_back(next);
@@ -83,7 +87,9 @@ TEST(PlainSearch, NeverBeatsTheLowerBoundOfPark) {
     int close = 0, found = 0;
     for (int i = 0; i < count; ++i) {
         const Case asked = random_case(static_cast<std::uint64_t>(600000 + i));
-        if (depth_in_place(asked.car, asked.place, asked.start) > -1e-3 || outside_region(asked.place, asked.start) > -1e-3) continue;
+        if (depth_in_place(asked.car, asked.place, asked.start) > -1e-3 ||
+            outside_region(asked.place, asked.start) > -1e-3)
+            continue;
         SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
         snug::ParkOptions options;
         options.resolution = 0.04;

@@ -71,11 +71,11 @@ inline std::string described(const Car& car, const Street& street, const Pose& s
     std::ostringstream text;
     text.precision(17);
     text << "car " << car.width() << " " << car.front() << " " << car.rear() << " " << car.wheelbase() << " "
-         << car.max_steer() << " street " << street.length << " " << street.width << " angle " << street.angle << " road "
-         << street.road.value_or(-1.0) << " stretch " << street.stretch << " forward " << (street.enter == Enter::forward)
-         << " left " << (street.side == snug::Side::left) << " corner " << street.corner.x << " " << street.corner.y
-         << " heading " << street.heading << " low " << (street.curb == snug::Curb::low) << " start " << start.x << " " << start.y << " "
-         << start.heading;
+         << car.max_steer() << " street " << street.length << " " << street.width << " angle " << street.angle
+         << " road " << street.road.value_or(-1.0) << " stretch " << street.stretch << " forward "
+         << (street.enter == Enter::forward) << " left " << (street.side == snug::Side::left) << " corner "
+         << street.corner.x << " " << street.corner.y << " heading " << street.heading << " low "
+         << (street.curb == snug::Curb::low) << " start " << start.x << " " << start.y << " " << start.heading;
     return text.str();
 }
 
@@ -95,7 +95,8 @@ inline Case random_case(std::uint64_t index) {
     std::ostringstream boxes;
     boxes.precision(17);
     for (int i = random.whole(1, 3); i > 0; --i) {
-        const snug::Slot frame({.length = 1.0, .width = 1.0, .side = street.side, .corner = street.corner, .heading = street.heading});
+        const snug::Slot frame(
+            {.length = 1.0, .width = 1.0, .side = street.side, .corner = street.corner, .heading = street.heading});
         const double x = random.between(-street.stretch, street.stretch), y = random.between(1.0, 6.0);
         const double turned = random.between(0.0, 3.0), size = random.between(0.1, 0.5);
         std::vector<Point> corners;
