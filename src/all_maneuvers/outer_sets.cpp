@@ -352,9 +352,8 @@ Limits trimmed(const Limits& limits) {
 Pairs OuterLattice::none(const Limits& limits) const {
     Pairs pairs;
     for (const Layer& layer : limits) {
-        const Pairs::Of nothing{std::vector<Micro>(layer.spans.cells + vector_padding, -nowhere),
-                                std::vector<Micro>(layer.spans.cells + vector_padding, nowhere)};
-        pairs.layers.push_back({nothing, nothing});
+        pairs.layers.push_back({std::vector<Micro>(layer.spans.cells + vector_padding, -nowhere),
+                                std::vector<Micro>(layer.spans.cells + vector_padding, nowhere)});
     }
     return pairs;
 }
@@ -363,13 +362,12 @@ namespace {
 
 /// What a stretch of a layer's row takes things in with.
 template <class Numbers>
-Taking taking_of(Pairs::Two& pairs, const Layer& layer, const Span& span, const Numbers& numbers,
+Taking taking_of(Pairs::Of& pairs, const Layer& layer, const Span& span, const Numbers& numbers,
                  const ColumnNumbers& apart, int row, int cell) {
     const std::size_t at = span.at(cell);
-    return {pairs[0].z.data() + at,      pairs[0].w.data() + at,     pairs[1].z.data() + at,
-            pairs[1].w.data() + at,      layer.low.data() + at,      layer.high.data() + at,
-            numbers.up.at(row, cell),    numbers.down.at(row, cell), numbers.z_high.at(row, cell),
-            numbers.w_low.at(row, cell), apart.at(row, cell)};
+    return {pairs.z.data() + at,          pairs.w.data() + at,         layer.low.data() + at,
+            layer.high.data() + at,       numbers.up.at(row, cell),    numbers.down.at(row, cell),
+            numbers.z_high.at(row, cell), numbers.w_low.at(row, cell), apart.at(row, cell)};
 }
 
 }  // namespace
@@ -439,11 +437,9 @@ bool OuterLattice::holds(const Pairs& pairs, const Limits& limits, Direction dir
     for (std::size_t k = 0; k < limits.size(); ++k) {
         const Span mine = limits[k].spans.of(at.row);
         if (cell < mine.from || cell > mine.to) continue;
-        for (const Pairs::Of& of : pairs.layers[k]) {
-            const Micro z = of.z[mine.at(cell)], w = of.w[mine.at(cell)];
-            if (z == -nowhere) continue;
-            if (pose.y <= z * micro + at.up + 1e-6 && pose.y >= w * micro + at.down - 1e-6) return true;
-        }
+        const Micro z = pairs.layers[k].z[mine.at(cell)], w = pairs.layers[k].w[mine.at(cell)];
+        if (z == -nowhere) continue;
+        if (pose.y <= z * micro + at.up + 1e-6 && pose.y >= w * micro + at.down - 1e-6) return true;
     }
     return false;
 }
@@ -459,24 +455,23 @@ Pairs OuterLattice::turn(const Pairs& before, const Limits& limits_before, const
             const Span given = from.spans.of(row);
             if (given.empty()) continue;
             const auto count = static_cast<std::size_t>(given.to - given.from) + 1;
-            for (const Pairs::Of& old : before.layers[m]) {
-                const Micro *old_z = old.z.data() + given.begin, *old_w = old.w.data() + given.begin;
-                const Micro *more_z = of.turn_z.at(row, given.from), *more_w = of.turn_w.at(row, given.from);
-                z.assign(count + vector_padding, -nowhere);
-                w.assign(count + vector_padding, nowhere);
-                for (std::size_t i = 0; i < count; ++i) {
-                    z[i] = (old_z[i] + more_z[i] + (coarse_grid - 1)) & ~(coarse_grid - 1);
-                    w[i] = (old_w[i] + more_w[i]) & ~(coarse_grid - 1);
-                }
-                for (std::size_t k = 0; k < limits.size(); ++k) {
-                    const Span mine = limits[k].spans.of(row);
-                    const int first = std::max(mine.from, given.from), last = std::min(mine.to, given.to);
-                    if (first > last) continue;
-                    const auto skip = static_cast<std::size_t>(first - given.from);
-                    take_in(taking_of(pairs.layers[k], limits[k], mine, of, apart_, row, first),
-                            {z.data() + skip, w.data() + skip, nullptr, nullptr},
-                            static_cast<std::size_t>(last - first) + 1);
-                }
+            z.assign(count + vector_padding, -nowhere);
+            w.assign(count + vector_padding, nowhere);
+            const Micro *old_z = before.layers[m].z.data() + given.begin,
+                        *old_w = before.layers[m].w.data() + given.begin;
+            const Micro *more_z = of.turn_z.at(row, given.from), *more_w = of.turn_w.at(row, given.from);
+            for (std::size_t i = 0; i < count; ++i) {
+                z[i] = (old_z[i] + more_z[i] + (coarse_grid - 1)) & ~(coarse_grid - 1);
+                w[i] = (old_w[i] + more_w[i]) & ~(coarse_grid - 1);
+            }
+            for (std::size_t k = 0; k < limits.size(); ++k) {
+                const Span mine = limits[k].spans.of(row);
+                const int first = std::max(mine.from, given.from), last = std::min(mine.to, given.to);
+                if (first > last) continue;
+                const auto skip = static_cast<std::size_t>(first - given.from);
+                take_in(taking_of(pairs.layers[k], limits[k], mine, of, apart_, row, first),
+                        {z.data() + skip, w.data() + skip, nullptr, nullptr},
+                        static_cast<std::size_t>(last - first) + 1);
             }
         }
     }
@@ -503,7 +498,7 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
         std::vector<Micro> z, w;
         Span live;
     };
-    std::vector<Before> before(2 * limits.size());  // of every layer's two pairs
+    std::vector<Before> before(limits.size());
     for (Before& row : before) {
         row.z.assign(width, -nowhere);
         row.w.assign(width, nowhere);
@@ -514,7 +509,7 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
         for (std::size_t k = 0; k < limits.size(); ++k) {
             const Span mine = limits[k].spans.of(row);
             if (mine.empty()) continue;
-            for (std::size_t m = 0; m < before.size(); ++m) {
+            for (std::size_t m = 0; m < limits.size(); ++m) {
                 if (before[m].live.empty()) continue;
                 // The column to the left, d - 1, is the cell before in even rows, the column to the right that after in odd ones.
                 const int left = (row & 1) == 0 ? -1 : 0;
@@ -534,7 +529,7 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
                 }
             }
         }
-        for (std::size_t k = 0; k < before.size(); ++k) {
+        for (std::size_t k = 0; k < limits.size(); ++k) {
             Before& mine = before[k];
             if (!mine.live.empty()) {
                 const auto from = static_cast<std::ptrdiff_t>(mine.live.from - first_cell);
@@ -542,9 +537,9 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
                 std::fill_n(mine.z.begin() + from, count, -nowhere);
                 std::fill_n(mine.w.begin() + from, count, nowhere);
             }
-            const Span span = limits[k / 2].spans.of(row);
+            const Span span = limits[k].spans.of(row);
             mine.live = span;
-            const Pairs::Of& now = pairs.layers[k / 2][k % 2];
+            const Pairs::Of& now = pairs.layers[k];
             while (!mine.live.empty() && now.z[span.at(mine.live.from)] == -nowhere) ++mine.live.from;
             while (!mine.live.empty() && now.z[span.at(mine.live.to)] == -nowhere) --mine.live.to;
             if (mine.live.empty()) continue;
@@ -566,21 +561,15 @@ Limits OuterLattice::common(const Pairs& one, Direction direction, const Pairs& 
             const Span span = layer.spans.of(row);
             for (int cell = span.from; cell <= span.to; ++cell) {
                 const std::size_t at = span.at(cell);
-                const Micro low = layer.low[at], high = layer.high[at];
-                layer.low[at] = nowhere;
-                layer.high[at] = -nowhere;
-                for (const Pairs::Of& mine : one.layers[k]) {
-                    for (const Pairs::Of& theirs : other.layers[k]) {
-                        if (mine.z[at] == -nowhere || theirs.z[at] == -nowhere) continue;
-                        const Micro from = std::max(
-                            {low, mine.w[at] + *of.down.at(row, cell), theirs.w[at] + *of_other.down.at(row, cell)});
-                        const Micro to = std::min(
-                            {high, mine.z[at] + *of.up.at(row, cell), theirs.z[at] + *of_other.up.at(row, cell)});
-                        if (from > to) continue;
-                        layer.low[at] = std::min(layer.low[at], from);
-                        layer.high[at] = std::max(layer.high[at], to);
-                    }
+                if (one.layers[k].z[at] == -nowhere || other.layers[k].z[at] == -nowhere) {
+                    layer.low[at] = nowhere;
+                    layer.high[at] = -nowhere;
+                    continue;
                 }
+                layer.low[at] = std::max({layer.low[at], one.layers[k].w[at] + *of.down.at(row, cell),
+                                          other.layers[k].w[at] + *of_other.down.at(row, cell)});
+                layer.high[at] = std::min({layer.high[at], one.layers[k].z[at] + *of.up.at(row, cell),
+                                           other.layers[k].z[at] + *of_other.up.at(row, cell)});
             }
         }
     }

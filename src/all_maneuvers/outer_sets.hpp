@@ -5,14 +5,13 @@
 // fall and no backward motion lets rise. Cells have the side h in both. Row s holds the centres x = s h / 2, column d the
 // headings with sine d h / (2 r); s + d is even. Cell (s, d) is [a_i, a_i + h] x [b_j, b_j + h], i = (s-d)/2, j = (s+d)/2.
 //
-// Within a cell the car is in one of the intervals that solids leave free; each keeps two pairs (z, w), which bound
+// Within a cell the car is in one of the intervals that solids leave free; each keeps one pair (z, w), which bounds
 //   forward   z >= y + r cos - (a - a_i) T_hi        w <= y - r cos - (b - b_j) T_lo
 //   backward  z >= y + r cos - (a - a_i - h) T_lo    w <= y - r cos - (b - b_j - h) T_hi
 // with T_hi and T_lo the largest and the least tangent in the cell. Numbers are whole multiples of 2^-22 m, rounded
 // outward: sums are exact, so "nothing was added" is exact, too.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -70,18 +69,12 @@ struct Layer {
 /// Several in a cell, in any order.
 using Limits = std::vector<Layer>;
 
-/// The pairs of one move, layer by layer beside the limits they were made in: two in every interval, because what can be
-/// reached in it may have a gap.
+/// The pairs of one move, layer by layer beside the limits they were made in.
 struct Pairs {
     struct Of {
         std::vector<Micro> z, w;
-
-        friend bool operator==(const Of&, const Of&) = default;
     };
-    using Two = std::array<Of, 2>;
-    std::vector<Two> layers;
-
-    friend bool operator==(const Pairs&, const Pairs&) = default;
+    std::vector<Of> layers;
 };
 
 /// Numbers of columns, by parity and cell.

@@ -18,6 +18,12 @@ Direction other(Direction direction) {
     return direction == Direction::forward ? Direction::backward : Direction::forward;
 }
 
+bool same(const Pairs& one, const Pairs& two) {
+    for (std::size_t k = 0; k < one.layers.size(); ++k)
+        if (one.layers[k].z != two.layers[k].z || one.layers[k].w != two.layers[k].w) return false;
+    return true;
+}
+
 /// Something of every move forward and every move backward.
 template <class Of>
 struct BothWays {
@@ -59,7 +65,7 @@ Counted count_from_below(const OuterLattice& lattice, int most, const Watching& 
                                           k > 0 ? &now.backward.back() : nullptr, false, watch);
         for (const Direction direction : both_directions)
             if (lattice.holds_start(next.of(direction).back(), lattice.free(), direction)) return {k, false};
-        if (k > 0 && next.forward.back() == now.forward.back() && next.backward.back() == now.backward.back())
+        if (k > 0 && same(next.forward.back(), now.forward.back()) && same(next.backward.back(), now.backward.back()))
             return {most + 1, true};
         now = std::move(next);
     }

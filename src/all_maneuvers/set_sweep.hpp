@@ -7,10 +7,9 @@
 
 namespace snug::detail::sets {
 
-/// A stretch of cells that takes in pairs (z, w): those that fit its intervals, clipped to them. Each cell keeps two: what
-/// overlaps one of them, or, when neither is free any more, lies nearer to it, makes that the hull of both.
+/// A stretch of cells that takes in pairs (z, w): those that fit its intervals, clipped to them, and the hull of these.
 struct Taking {
-    Micro *z, *w, *other_z, *other_w;
+    Micro *z, *w;
     const Micro *low, *high;
     const Micro *up, *down, *z_high, *w_low, *apart;
 };
