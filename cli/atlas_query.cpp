@@ -131,7 +131,7 @@ EntryOptions entry_options(const AtlasOptions& options) {
 Answer as_entry(const AtlasAnswer& found, const Question& question) {
     Answer answer;
     answer.cancelled = found.verdict == AtlasVerdict::undecided;  // which JSON calls null
-    if (!answer.parkable()) return answer;
+    if (found.verdict != AtlasVerdict::parks) return answer;
     answer.direction_changes = found.cell.direction_changes();
     for (std::size_t i = 0; i < found.cell.ranges(); ++i) answer.ranges.push_back(found.cell.range(i));
     answer.maneuver = maneuver(found.cell, question.car, question.slot);

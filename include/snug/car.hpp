@@ -57,6 +57,8 @@ public:
     friend bool operator==(const Car&, const Car&) = default;
 
 private:
+    static Outline wheels_of(const Outline& body, double wheelbase);
+
     CarDimensions dimensions_;
     Outline outline_;
     Outline wheels_;

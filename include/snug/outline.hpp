@@ -38,6 +38,7 @@ public:
     friend bool operator==(const Outline&, const Outline&) = default;
 
 private:
+    friend class Car;  // whose wheels may lie nearly on a line
     struct Checked {};
     Outline(std::vector<Point> corners, Checked);
 

@@ -60,15 +60,16 @@ Sides sides_at(const Outline& outline, double x) {
     return sides;
 }
 
-Outline wheels_of(const Outline& body, double wheelbase) {
+}  // namespace
+
+Outline Car::wheels_of(const Outline& body, double wheelbase) {
     const Sides behind = sides_at(body, 0.0);
     if (!(behind.left > 0.0 && behind.right > 0.0))
         throw Error("the rear axle's middle, (0, 0), lies outside the outline, but must lie inside");
     const Sides ahead = wheelbase < body.front() ? sides_at(body, wheelbase) : Sides{body.left(), body.right()};
-    return Outline({{wheelbase, ahead.left}, {0.0, behind.left}, {0.0, -behind.right}, {wheelbase, -ahead.right}});
+    return Outline({{wheelbase, ahead.left}, {0.0, behind.left}, {0.0, -behind.right}, {wheelbase, -ahead.right}},
+                   Outline::Checked{});
 }
-
-}  // namespace
 
 Car::Car(const CarDimensions& dimensions, std::string name)
     : dimensions_(checked(dimensions)),

@@ -36,7 +36,7 @@ for c in range(len(atlas.names)):
 )";
 
 std::string documented_reader() {
-    const std::string page = contents(std::filesystem::path(__FILE__).parent_path() / "../../docs/atlas-format.md");
+    const std::string page = contents(std::filesystem::path(SNUG_ROOT) / "docs/atlas-format.md");
     const std::string begin = "```python\n";
     const std::size_t from = page.find(begin) + begin.size();
     return page.substr(from, page.find("```", from) - from);

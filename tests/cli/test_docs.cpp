@@ -16,7 +16,7 @@
 namespace snug::test {
 namespace {
 
-const std::filesystem::path root = std::filesystem::path(__FILE__).parent_path() / "../..";
+const std::filesystem::path root = SNUG_ROOT;
 
 /// What stands between two fences.
 struct Block {

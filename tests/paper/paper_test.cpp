@@ -155,7 +155,7 @@ void expect_every_car_in_the_table() {
     const std::string& text = bytes("extra_lengths.md");
     EXPECT_EQ(text.find("nan"), text.npos);
     for (const Car& car : catalogue()) EXPECT_NE(text.find(car.name()), text.npos) << car.name();
-    const std::string readme = test::contents(std::filesystem::path(__FILE__).parent_path() / "../../README.md");
+    const std::string readme = test::contents(std::filesystem::path(SNUG_ROOT) / "README.md");
     EXPECT_NE(readme.find(text.substr(text.find("| car"))), readme.npos) << "README.md shows another table than\n"
                                                                          << text;
 }
