@@ -60,10 +60,12 @@ TEST(Place, CutsPolygonsIntoConvexPiecesOfTheSameArea) {
         std::vector<Point> star;
         const int corners = random.whole(3, 14);
         for (int k = 0; k < corners; ++k) {
-            const double angle = 6.283185307179586 * (k + random.between(0.05, 0.95)) / corners, far = random.between(0.3, 4.0);
+            const double angle = 6.283185307179586 * (k + random.between(0.05, 0.95)) / corners,
+                         far = random.between(0.3, 4.0);
             star.push_back({far * std::cos(angle), far * std::sin(angle)});
         }
-        if (snug::detail::area(star) < 1e-3 || snug::detail::crosses_itself(star)) continue;  // the origin may be outside
+        if (snug::detail::area(star) < 1e-3 || snug::detail::crosses_itself(star))
+            continue;  // the origin may be outside
         SCOPED_TRACE("star " + std::to_string(i));
         double total = 0.0;
         const auto pieces = snug::detail::convex_pieces(star);
