@@ -46,7 +46,7 @@ Layer hull(const std::vector<const Limits*>& several) {
         }
     }
     all.spans.first = first;
-    all.spans.rows.resize(static_cast<std::size_t>(last - first + 1));
+    all.spans.rows.resize(static_cast<std::size_t>(last - first) + 1);
     const auto each = [&](auto&& act) {
         for (const Limits* limits : several)
             for (const Layer& layer : *limits)

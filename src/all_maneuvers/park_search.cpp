@@ -187,7 +187,7 @@ public:
     }
 
 private:
-    static constexpr double smallest = 0.003, largest = 0.5;  ///< by which the car is grown [m]
+    static constexpr double smallest = 0.003, largest = 0.2;  ///< by which the car is grown [m]
 
     struct Found {
         double grown = 0.0;

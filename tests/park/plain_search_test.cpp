@@ -83,7 +83,7 @@ private:
 };
 
 TEST(PlainSearch, NeverBeatsTheLowerBoundOfPark) {
-    const int count = snug::test::sample(8, 300);
+    const int count = snug::test::sample(4, 300);
     int close = 0, found = 0;
     for (int i = 0; i < count; ++i) {
         const Case asked = random_case(static_cast<std::uint64_t>(600000 + i));
