@@ -12,12 +12,14 @@
 #include <system_error>
 #include <utility>
 
+#include "atlas/damage.hpp"
 #include "atlas/format.hpp"
-#include "model/check.hpp"
-#include "model/spelling.hpp"
+#include "checksum.hpp"
+#include "sentences/check.hpp"
+#include "sentences/spelling.hpp"
 #include "schema.hpp"
-#include "seal.hpp"
 #include "snug/atlas_database.hpp"
+#include "snug/limits.hpp"
 #include "snug/version.hpp"
 #include "sqlite.hpp"
 
@@ -78,8 +80,9 @@ void check_plan(const AtlasPlan& plan) {
             throw Error("two cars of the atlas are called " + in_quotes(name) + "; give each a name of its own");
     }
     if (plan.widths.empty() || plan.lengths.empty()) throw Error("an atlas needs widths and lengths of slots");
-    for (const double width : plan.widths) check_between("slot width", width, 1e-6, 1e6, " m");
-    for (const double length : plan.lengths) check_between("slot length", length, 1e-6, 1e6, " m");
+    for (const double width : plan.widths) check_between("slot width", width, limits::shortest, limits::longest, " m");
+    for (const double length : plan.lengths)
+        check_between("slot length", length, limits::shortest, limits::longest, " m");
     const double cells = static_cast<double>(plan.cars.size()) * static_cast<double>(plan.widths.size()) *
                          static_cast<double>(plan.lengths.size());
     if (cells > static_cast<double>(atlas_format::most_cells))
@@ -128,10 +131,7 @@ void check_goes_together(const StoredPlan& stored, const AtlasPlan& plan, const 
         const auto same_name = [&](const Car& old) { return old.name() == car.name(); };
         const auto old = std::find_if(stored.plan.cars.begin(), stored.plan.cars.end(), same_name);
         if (old == stored.plan.cars.end()) continue;
-        const CarDimensions& one = old->dimensions();
-        const CarDimensions& other = car.dimensions();
-        if (one.width != other.width || one.front != other.front || one.rear != other.rear ||
-            one.wheelbase != other.wheelbase || one.max_steer != other.max_steer)
+        if (*old != car)
             throw Error(file + " has another car called " + in_quotes(car.name()) + "; give this one another name");
     }
 }
@@ -140,9 +140,15 @@ void add_missing(const Connection& connection, const AtlasPlan& plan) {
     Statement car(
         connection,
         "INSERT OR IGNORE INTO car (name, width, front, rear, wheelbase, max_steer) VALUES (?, ?, ?, ?, ?, ?)");
-    for (const Car& each : plan.cars)
+    Statement corner(connection, "INSERT OR IGNORE INTO outline_corner SELECT id, ?, ?, ? FROM car WHERE name = ?");
+    for (const Car& each : plan.cars) {
         car.run(std::string_view(each.name()), each.width(), each.front(), each.rear(), each.wheelbase(),
                 each.max_steer());
+        if (each.is_rectangle()) continue;
+        int number = 0;
+        for (const Point& point : each.outline().corners())
+            corner.run(number++, point.x, point.y, std::string_view(each.name()));
+    }
     Statement width(connection, "INSERT OR IGNORE INTO slot_width VALUES (?)");
     for (const double each : plan.widths) width.run(each);
     Statement length(connection, "INSERT OR IGNORE INTO slot_length VALUES (?)");
@@ -162,9 +168,7 @@ struct AtlasBuild::State {
         Statement count(connection, "SELECT count(*) FROM cell");
         count.row();
         progress.stored = committed = static_cast<std::uint64_t>(count.integer(0));
-        if (progress.stored > progress.cells)
-            throw damaged(path, "it has " + std::to_string(progress.stored) + " cells for " +
-                                    std::to_string(progress.cells) + " slots");
+        if (progress.stored > progress.cells) throw damaged(path, too_many_cells(progress.stored, progress.cells));
     }
 
     /// Makes the tables, or checks that the plan goes with them, and adds what is new: all of it or nothing.
@@ -197,7 +201,7 @@ struct AtlasBuild::State {
         const auto entry = [&](double part) { return has_entry ? std::optional<double>(part) : std::nullopt; };
         cell.run(stored.car_ids[of_car], slot_width, slot_length, answer.direction_changes, answer.lower_bound,
                  answer.proved, entry(answer.entry.x), entry(answer.entry.y), entry(answer.entry.heading),
-                 seal(plan.options, stored.made_by, plan.cars[of_car], slot_width, slot_length, answer));
+                 checksum_of_cell(plan.options, stored.made_by, plan.cars[of_car], slot_width, slot_length, answer));
         const std::int64_t id = sqlite3_last_insert_rowid(connection.handle());
         int number = 0;
         for (const HeadingRange& each : answer.ranges)
@@ -259,7 +263,7 @@ struct AtlasBuild::State {
     Statement row{connection, "SELECT length FROM cell WHERE car = ? AND width = ? ORDER BY length"};
     Statement cell{connection,
                    "INSERT INTO cell (car, width, length, direction_changes, lower_bound, proved, entry_x, entry_y, "
-                   "entry_heading, seal) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+                   "entry_heading, checksum) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
     Statement range{connection, "INSERT INTO entry_range VALUES (?, ?, ?, ?, ?, ?)"};
     Statement move{connection, "INSERT INTO move VALUES (?, ?, ?, ?, ?, ?, ?)"};
 };
@@ -325,12 +329,12 @@ void AtlasBuild::commit() {
 }
 
 bool build_atlas(AtlasBuild& build, const AtlasBuildOptions& options) {
-    const CellDesk desk = {[&] { return build.next(); },
-                           [&](const SolvedBatch& solved) {
-                               build.store(solved);
-                               if (options.progress) options.progress(build.progress());
-                           }};
-    solve_all(build.plan(), desk, options.threads, options.go_on);
+    const CellQueue queue = {[&] { return build.next(); },
+                             [&](const SolvedBatch& solved) {
+                                 build.store(solved);
+                                 if (options.progress) options.progress(build.progress());
+                             }};
+    solve_all(build.plan(), queue, options.threads, options.go_on);
     build.commit();
     const AtlasProgress progress = build.progress();
     return progress.stored == progress.cells;

@@ -9,9 +9,10 @@
 #include <utility>
 
 #include "atlas/format.hpp"
-#include "model/check.hpp"
-#include "model/spelling.hpp"
+#include "sentences/check.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/atlas_build.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 
@@ -34,7 +35,7 @@ std::uint64_t checksum_of(const std::string& bytes) { return checksum(std::as_by
 void check_axis(const char* what, const std::vector<double>& values) {
     if (values.empty()) throw Error(std::string("the atlas has no ") + what + "s, but must have at least one");
     for (std::size_t i = 0; i < values.size(); ++i) {
-        check_between(std::string("slot ") + what, values[i], 1e-6, 1e6, " m");
+        check_between(std::string("slot ") + what, values[i], limits::shortest, limits::longest, " m");
         if (i > 0 && values[i] <= values[i - 1])
             throw Error(std::string("the atlas has the ") + what + " " + spelled(values[i]) + " m after " +
                         spelled(values[i - 1]) + " m, but " + what + "s must rise");
@@ -58,10 +59,10 @@ void check_cars(const std::vector<Car>& cars) {
 }
 
 void check_options(const AtlasOptions& options) {
-    check_between("maximum of direction changes", options.max_changes.value_or(0), 0.0, 100000.0, "");
-    check_between("narrowest range", options.min_range, 0.0, 1.5707963267948966, " rad");
-    check_between("resolution", options.resolution, 0.0, 1e6, " m");
-    check_between("clearance", options.driving.clearance, 0.0, 1e6, " m");
+    check_between("maximum of direction changes", options.max_changes.value_or(0), 0.0, limits::most_changes, "");
+    check_between("narrowest range", options.min_range, 0.0, limits::quarter_turn, " rad");
+    check_between("resolution", options.resolution, 0.0, limits::longest, " m");
+    check_between("clearance", options.driving.clearance, 0.0, limits::longest, " m");
 }
 
 /// How many cells there are.
@@ -103,17 +104,32 @@ std::string front_part(const AtlasPlan& plan, std::uint64_t cells, std::string_v
                     " bytes, but must have at most " + std::to_string(head.made_by.size()));
     std::copy(made_by.begin(), made_by.end(), head.made_by.begin());
     head.name_bytes = names.size();
+    std::string corners;
+    std::vector<std::uint32_t> corners_of;
+    for (const Car& car : plan.cars) {
+        const std::vector<Point> outline = car.is_rectangle() ? std::vector<Point>{} : car.outline().corners();
+        corners_of.push_back(static_cast<std::uint32_t>(outline.size()));
+        for (const Point& corner : outline) append(corners, Corner{corner.x, corner.y});
+    }
+    head.corners = corners.size() / sizeof(Corner);
+    if (head.corners > most_bytes)
+        throw Error("the outlines of the cars have more than 2^32 corners; export some of the cars at a time");
 
     std::string bytes;
     append(bytes, head);
     std::size_t name_at = 0;
-    for (const Car& car : plan.cars) {
+    std::uint32_t corners_at = 0;
+    for (std::size_t i = 0; i < plan.cars.size(); ++i) {
+        const Car& car = plan.cars[i];
         append(bytes, CarEntry{car.width(), car.front(), car.rear(), car.wheelbase(), car.max_steer(),
-                               static_cast<std::uint32_t>(name_at), static_cast<std::uint32_t>(car.name().size())});
+                               static_cast<std::uint32_t>(name_at), static_cast<std::uint32_t>(car.name().size()),
+                               corners_at, corners_of[i]});
         name_at += car.name().size();
+        corners_at += corners_of[i];
     }
     bytes += names;
     pad(bytes);
+    bytes += corners;
     for (const double width : plan.widths) append(bytes, width);
     for (const double length : plan.lengths) append(bytes, length);
     return bytes;

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/check.hpp"
-#include "model/spelling.hpp"
+#include "atlas/damage.hpp"
+#include "checksum.hpp"
+#include "sentences/check.hpp"
+#include "sentences/spelling.hpp"
 #include "schema.hpp"
-#include "seal.hpp"
 #include "sqlite.hpp"
 
 namespace snug {
@@ -42,7 +43,8 @@ struct AtlasDatabase::State {
             answer.moves.push_back({direction, moves.real(1), moves.real(2), contact_of(moves, 3, 4)});
         }
         const Car& asked = stored.plan.cars[car];
-        if (row.integer(9) != seal(stored.plan.options, stored.made_by, asked, row.real(0), row.real(1), answer))
+        if (row.integer(9) !=
+            checksum_of_cell(stored.plan.options, stored.made_by, asked, row.real(0), row.real(1), answer))
             throw damaged(path, "its answer for " + in_quotes(asked.name()) + " in the slot of " +
                                     spelled(row.real(1)) + " x " + spelled(row.real(0)) + " m is not what was stored");
         return answer;
@@ -54,10 +56,10 @@ struct AtlasDatabase::State {
     Statement count{connection, "SELECT count(*) FROM cell"};
     Statement one{connection,
                   "SELECT width, length, direction_changes, lower_bound, proved, entry_x, entry_y, entry_heading, id, "
-                  "seal FROM cell WHERE car = ? AND width = ? AND length = ?"};
+                  "checksum FROM cell WHERE car = ? AND width = ? AND length = ?"};
     Statement all{connection,
                   "SELECT width, length, direction_changes, lower_bound, proved, entry_x, entry_y, entry_heading, id, "
-                  "seal FROM cell WHERE car = ? ORDER BY width, length"};
+                  "checksum FROM cell WHERE car = ? ORDER BY width, length"};
     Statement ranges{connection,
                      "SELECT heading_min, heading_max, direction_changes, subrange FROM entry_range WHERE cell = ? "
                      "ORDER BY number"};
@@ -99,9 +101,7 @@ std::string AtlasDatabase::trouble() const {
     if (said != "ok") return said;
     Statement keys(state_->connection, "PRAGMA foreign_key_check");
     if (keys.row()) return "a row of " + keys.text(0) + " belongs to no row of " + keys.text(2);
-    return stored() > cells()
-               ? "it has " + std::to_string(stored()) + " cells for " + std::to_string(cells()) + " slots"
-               : "";
+    return stored() > cells() ? too_many_cells(stored(), cells()) : "";
 }
 
 }  // namespace snug

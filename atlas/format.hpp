@@ -1,6 +1,6 @@
-// The exported atlas file, version 1: its parts as they lie in it. docs/atlas-format.md tells the same to people.
+// The exported atlas file, version 2: its parts as they lie in it. docs/atlas-format.md tells the same to people.
 //
-//     Head, CarEntry[cars], names, widths, lengths | blocks | IndexEntry[blocks] | Trailer
+//     Head, CarEntry[cars], names, corners, widths, lengths | blocks | IndexEntry[blocks] | Trailer
 //
 // A block holds some successive cells: first their records, all of one size so that one is found without looking for it,
 // then their bodies, whose size the record tells. Every part begins at a multiple of 8 bytes, numbers are little-endian,
@@ -24,7 +24,7 @@ static_assert(std::endian::native == std::endian::little, "numbers in the file a
 
 constexpr std::string_view begin_mark = "snug-atl";
 constexpr std::string_view end_mark = "snug-end";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;  // 1 knew rectangles only
 constexpr std::uint64_t most_cells = std::uint64_t{1} << 40;
 
 struct Head {
@@ -42,7 +42,7 @@ struct Head {
     double clearance;
     std::array<char, 32> made_by;
     std::uint64_t name_bytes;
-    std::uint64_t reserved;
+    std::uint64_t corners;  // of all outlines
 };
 static_assert(sizeof(Head) == 112);
 
@@ -54,8 +54,17 @@ struct CarEntry {
     double max_steer;
     std::uint32_t name_at;  // among the names
     std::uint32_t name_bytes;
+    std::uint32_t corners_at;  // among the corners
+    std::uint32_t corners;     // of the outline; 0 for a rectangle
 };
-static_assert(sizeof(CarEntry) == 48);
+static_assert(sizeof(CarEntry) == 56);
+
+/// A corner of an outline.
+struct Corner {
+    double x;
+    double y;
+};
+static_assert(sizeof(Corner) == 16);
 
 /// A cell's answer in short.
 struct Record {
@@ -134,7 +143,7 @@ constexpr BodyParts body_parts(std::uint64_t ranges, std::uint64_t moves, bool w
 /// A move's code: what ends it in bits 0 to 5, its steering in bits 6 and 7.
 enum class Steering : std::uint8_t { full_right, straight, full_left, stored };
 constexpr std::uint8_t obstacles = 5;
-constexpr std::uint8_t most_contact = 1 + 7 * obstacles + 4;
+constexpr std::uint8_t most_contact = 1 + 11 * obstacles + 4;
 constexpr std::uint8_t contact_bits = 63;
 
 /// A checksum of whole words: four chains side by side, because one would wait for its multiplications. Each step can be

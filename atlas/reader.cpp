@@ -18,10 +18,12 @@
 #include <cmath>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "atlas/format.hpp"
-#include "model/spelling.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
+#include "snug/limits.hpp"
 #include "snug/version.hpp"
 
 namespace snug {
@@ -29,8 +31,6 @@ namespace snug {
 namespace {
 
 using namespace atlas_format;
-
-constexpr int most_changes = 200;  // where no maximum is given, as in entry() and fewest()
 
 Error refusal(const std::string& name, const std::string& why) { return Error(name + ": " + why); }
 
@@ -83,6 +83,7 @@ bool options_possible(const Head& head) noexcept {
 /// Where the parts of a file of `size` bytes begin; they lie in it, so that size_t holds them.
 struct Layout {
     std::size_t names_at;
+    std::size_t corners_at;
     std::size_t widths_at;
     std::size_t lengths_at;
     std::size_t blocks_at;
@@ -94,22 +95,19 @@ std::optional<Layout> layout(const Head& head, std::uint64_t size) noexcept {
     // Nothing overflows: counts are below 2^32, cells and blocks at most 2^40, and the names no longer than the file.
     const std::uint64_t rows = std::uint64_t{head.cars} * head.widths;
     if (rows == 0 || head.lengths == 0 || head.lengths > most_cells / rows || head.name_bytes > size ||
-        !std::has_single_bit(head.cells_per_block))
+        head.corners > size || !std::has_single_bit(head.cells_per_block))
         return std::nullopt;
     const std::uint64_t blocks = (rows * head.lengths + head.cells_per_block - 1) / head.cells_per_block;
     const std::uint64_t names_at = sizeof(Head) + head.cars * std::uint64_t{sizeof(CarEntry)};
-    const std::uint64_t widths_at = names_at + padded(head.name_bytes);
+    const std::uint64_t corners_at = names_at + padded(head.name_bytes);
+    const std::uint64_t widths_at = corners_at + head.corners * sizeof(Corner);
     const std::uint64_t lengths_at = widths_at + head.widths * std::uint64_t{sizeof(double)};
     const std::uint64_t blocks_at = lengths_at + head.lengths * std::uint64_t{sizeof(double)};
     const std::uint64_t behind_blocks = blocks * sizeof(IndexEntry) + sizeof(Trailer);
     if (blocks_at > size || behind_blocks > size - blocks_at) return std::nullopt;
     const auto in_memory = [](std::uint64_t value) { return static_cast<std::size_t>(value); };
-    return Layout{in_memory(names_at),
-                  in_memory(widths_at),
-                  in_memory(lengths_at),
-                  in_memory(blocks_at),
-                  in_memory(size - behind_blocks),
-                  in_memory(blocks)};
+    return Layout{in_memory(names_at),  in_memory(corners_at),           in_memory(widths_at), in_memory(lengths_at),
+                  in_memory(blocks_at), in_memory(size - behind_blocks), in_memory(blocks)};
 }
 
 /// Whether a cell's answer is one that can be read.
@@ -185,7 +183,7 @@ void Atlas::open(const std::string& name) {
             throw refusal(name, "has format version " + std::to_string(stored) +
                                     ", but snug " SNUG_VERSION " reads version " + std::to_string(version) +
                                     (stored > version ? "; use a newer snug, or export it again with this one"
-                                                      : "; it is damaged: copy it again"));
+                                                      : "; export it again"));
     }
     if (size < sizeof(Head) + sizeof(Trailer))
         throw refusal(name, ends + "too few for any atlas; it was cut short: copy it again");
@@ -215,6 +213,7 @@ void Atlas::open(const std::string& name) {
     blocks_ = parts->blocks;
     block_bits_ = std::countr_zero(head.cells_per_block);
     names_ = bytes_.data() + parts->names_at;
+    corners_ = bytes_.data() + parts->corners_at;
     width_values_ = bytes_.data() + parts->widths_at;
     length_values_ = bytes_.data() + parts->lengths_at;
     first_block_ = bytes_.data() + parts->blocks_at;
@@ -231,6 +230,8 @@ void Atlas::open(const std::string& name) {
         const CarEntry entry = car_entry(bytes_, i);
         if (std::uint64_t{entry.name_at} + entry.name_bytes > head.name_bytes)
             throw impossible("has a car without its name");
+        if (std::uint64_t{entry.corners_at} + entry.corners > head.corners)
+            throw impossible("has a car without its outline");
         if (i > 0 && car_name(i) <= car_name(i - 1)) throw impossible("its cars are not in order");
     }
     options_.strategy = head.strategy == 0 ? AtlasStrategy::max_steer : AtlasStrategy::fewest;
@@ -273,7 +274,14 @@ std::optional<std::size_t> Atlas::find_car(std::string_view name) const noexcept
 
 Car Atlas::car(std::size_t car) const {
     const CarEntry entry = car_entry(bytes_, car);
-    return Car({entry.width, entry.front, entry.rear, entry.wheelbase, entry.max_steer}, std::string(car_name(car)));
+    const std::string name(car_name(car));
+    if (entry.corners == 0) return Car({entry.width, entry.front, entry.rear, entry.wheelbase, entry.max_steer}, name);
+    std::vector<Point> corners;
+    for (std::size_t i = 0; i < entry.corners; ++i) {
+        const auto corner = load<Corner>(corners_ + (entry.corners_at + i) * sizeof(Corner));
+        corners.push_back({corner.x, corner.y});
+    }
+    return Car(Outline(std::move(corners)), entry.wheelbase, entry.max_steer, name);
 }
 
 double Atlas::width(std::size_t i) const noexcept { return value_at(width_values_, i); }
@@ -361,7 +369,7 @@ AtlasAnswer Atlas::look_up(std::size_t car, double length, double width) const n
     if (below->moves() > 0) return say(AtlasVerdict::parks);
     if (bound_damaged) return say(AtlasVerdict::damaged);
     const bool nothing_parks = options_.strategy == AtlasStrategy::fewest
-                                   ? answer.lower_bound > options_.max_changes.value_or(most_changes)
+                                   ? answer.lower_bound > options_.max_changes.value_or(limits::usual_changes)
                                    : exact && !below->direction_changes();
     return say(nothing_parks ? AtlasVerdict::cannot_park : AtlasVerdict::undecided);
 }

@@ -1,7 +1,9 @@
 #include "schema.hpp"
 
-#include "model/check.hpp"
-#include "model/spelling.hpp"
+#include "atlas/damage.hpp"
+#include "sentences/check.hpp"
+#include "sentences/spelling.hpp"
+#include "snug/limits.hpp"
 #include "snug/version.hpp"
 
 namespace snug {
@@ -9,13 +11,16 @@ namespace snug {
 namespace {
 
 constexpr int application = 0x736e7567;  // "snug"
-constexpr int schema_version = 1;
+constexpr int schema_version = 2;        // 1 knew rectangles only
 
 constexpr const char* tables = R"sql(
 CREATE TABLE provenance (key TEXT PRIMARY KEY, value) WITHOUT ROWID;
 CREATE TABLE car (
     id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE,
     width REAL NOT NULL, front REAL NOT NULL, rear REAL NOT NULL, wheelbase REAL NOT NULL, max_steer REAL NOT NULL);
+CREATE TABLE outline_corner (
+    car INTEGER NOT NULL REFERENCES car, number INTEGER NOT NULL, x REAL NOT NULL, y REAL NOT NULL,
+    PRIMARY KEY (car, number)) WITHOUT ROWID;
 CREATE TABLE slot_width (width REAL PRIMARY KEY) WITHOUT ROWID;
 CREATE TABLE slot_length (length REAL PRIMARY KEY) WITHOUT ROWID;
 CREATE TABLE cell (
@@ -23,7 +28,7 @@ CREATE TABLE cell (
     car INTEGER NOT NULL REFERENCES car, width REAL NOT NULL REFERENCES slot_width,
     length REAL NOT NULL REFERENCES slot_length,
     direction_changes INTEGER, lower_bound INTEGER NOT NULL, proved INTEGER NOT NULL,
-    entry_x REAL, entry_y REAL, entry_heading REAL, seal INTEGER NOT NULL,
+    entry_x REAL, entry_y REAL, entry_heading REAL, checksum INTEGER NOT NULL,
     UNIQUE (car, width, length));
 CREATE TABLE entry_range (
     cell INTEGER NOT NULL REFERENCES cell, number INTEGER NOT NULL,
@@ -56,7 +61,7 @@ std::vector<double> read_sizes(const Connection& connection, const char* questio
     Statement statement(connection, question);
     while (statement.row()) {
         sizes.push_back(statement.real(0));
-        check_between("size of a slot", sizes.back(), 1e-6, 1e6, " m");
+        check_between("size of a slot", sizes.back(), limits::shortest, limits::longest, " m");
     }
     return sizes;
 }
@@ -80,7 +85,7 @@ void create_tables(Connection& connection, const AtlasOptions& options) {
     provenance.run("clearance", options.driving.clearance);
     provenance.run("enter", to_string(options.driving.enter));
     Statement part(connection, "INSERT INTO car_part VALUES (?, ?)");
-    for (int i = 0; i <= static_cast<int>(CarPart::right_edge); ++i) part.run(i, to_string(static_cast<CarPart>(i)));
+    for (int i = 0; i <= static_cast<int>(CarPart::front_right_wheel); ++i) part.run(i, to_string(static_cast<CarPart>(i)));
     Statement obstacle(connection, "INSERT INTO obstacle VALUES (?, ?)");
     for (int i = 0; i <= static_cast<int>(Obstacle::rear_corner); ++i)
         obstacle.run(i, to_string(static_cast<Obstacle>(i)));
@@ -127,10 +132,21 @@ StoredPlan read_plan(const Connection& connection, const std::string& path) try 
     }
     // SQLite's own order of texts is that of std::string: byte by byte.
     Statement cars(connection, "SELECT id, name, width, front, rear, wheelbase, max_steer FROM car ORDER BY name");
+    Statement outline(connection, "SELECT x, y FROM outline_corner WHERE car = ? ORDER BY number");
     while (cars.row()) {
         stored.car_ids.push_back(cars.integer(0));
-        stored.plan.cars.emplace_back(
-            CarDimensions{cars.real(2), cars.real(3), cars.real(4), cars.real(5), cars.real(6)}, cars.text(1));
+        std::vector<Point> corners;
+        outline.with(cars.integer(0));
+        while (outline.row()) corners.push_back({outline.real(0), outline.real(1)});
+        const CarDimensions dimensions = {cars.real(2), cars.real(3), cars.real(4), cars.real(5), cars.real(6)};
+        const std::string name = cars.text(1);
+        if (corners.empty()) {
+            stored.plan.cars.emplace_back(dimensions, name);
+            continue;
+        }
+        stored.plan.cars.emplace_back(Outline(corners), dimensions.wheelbase, dimensions.max_steer, name);
+        if (stored.plan.cars.back().dimensions() != dimensions)
+            throw Error("the outline of " + in_quotes(name) + " does not go with its width, front and rear");
     }
     stored.plan.widths = read_sizes(connection, "SELECT width FROM slot_width ORDER BY width");
     stored.plan.lengths = read_sizes(connection, "SELECT length FROM slot_length ORDER BY length");
@@ -139,10 +155,6 @@ StoredPlan read_plan(const Connection& connection, const std::string& path) try 
     throw;
 } catch (const Error& error) {
     throw damaged(path, error.what());
-}
-
-Error damaged(const std::string& path, const std::string& why) {
-    return Error(in_quotes(path) + " is damaged: " + why + "; restore a copy, or build it again");
 }
 
 std::uint64_t count_cells(const AtlasPlan& plan) {

@@ -27,9 +27,6 @@ bool is_empty(const Connection& connection);
 /// Throws Error when what is written there cannot be.
 StoredPlan read_plan(const Connection& connection, const std::string& path);
 
-/// The error for a database that does not hold what was stored in it.
-Error damaged(const std::string& path, const std::string& why);
-
 /// "max-steer", "fewest"
 std::string_view to_string(AtlasStrategy strategy);
 

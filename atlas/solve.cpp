@@ -1,4 +1,4 @@
-// One cell of an atlas, and all of them on all cores: batches come from a desk, are solved side by side and go back to it.
+// One cell of an atlas, and all of them on all cores: batches come from a queue, are solved side by side and go back to it.
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -16,11 +16,16 @@ namespace snug {
 
 namespace {
 
+/// A contact as it is stored: by the names of its parts.
+std::optional<Contact> named(const std::optional<Contact>& contact) {
+    return contact ? std::optional(Contact{contact->part, contact->obstacle}) : std::nullopt;
+}
+
 void keep(CellAnswer& answer, const std::optional<Maneuver>& maneuver) {
     if (!maneuver) return;
     answer.entry = maneuver->entry();
     for (const Move& move : maneuver->moves)
-        answer.moves.push_back({move.direction, move.steering_angle, move.length, move.contact});
+        answer.moves.push_back({move.direction, move.steering_angle, move.length, named(move.contact)});
 }
 
 std::optional<CellAnswer> solve_max_steer(const Car& car, const Slot& slot, const AtlasOptions& options,
@@ -72,7 +77,7 @@ std::optional<CellAnswer> solve(const Car& car, double width, double length, con
                                                      : solve_max_steer(car, slot, options, go_on);
 }
 
-void solve_all(const AtlasPlan& plan, const CellDesk& desk, int threads, const std::function<bool()>& go_on) {
+void solve_all(const AtlasPlan& plan, const CellQueue& queue, int threads, const std::function<bool()>& go_on) {
     std::mutex at_next;
     bool none_left = false;
     std::mutex at_store;
@@ -85,7 +90,7 @@ void solve_all(const AtlasPlan& plan, const CellDesk& desk, int threads, const s
                 SolvedBatch solved;
                 {
                     const std::lock_guard lock(at_next);
-                    if (!none_left) solved.cells = desk.next();
+                    if (!none_left) solved.cells = queue.next();
                     none_left = solved.cells.lengths.empty();
                 }
                 if (solved.cells.lengths.empty()) return;
@@ -98,7 +103,7 @@ void solve_all(const AtlasPlan& plan, const CellDesk& desk, int threads, const s
                     solved.answers.push_back(std::move(*answer));
                 }
                 const std::lock_guard lock(at_store);
-                if (!failed) desk.store(solved);
+                if (!failed) queue.store(solved);
             }
         } catch (...) {
             failed = true;

@@ -1,10 +1,12 @@
 #include "sqlite.hpp"
 
+#include "atlas/damage.hpp"
+
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
 
-#include "model/spelling.hpp"
+#include "sentences/spelling.hpp"
 
 namespace snug {
 
@@ -14,7 +16,7 @@ constexpr int patience = 20000;  // for a commit or a reader in another process 
 
 /// What to do about it, where SQLite's own words leave that open.
 std::string advice(int code) {
-    if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) return "; it is damaged: restore a copy, or build it again";
+    if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) return "; it is damaged: " + after_damage;
     return code == SQLITE_CANTOPEN ? "; the folder it is in has to be writable, for the journal beside it" : "";
 }
 

@@ -38,7 +38,7 @@ struct Ground {
     Ground(const Car& asked, const Slot& asked_slot, const MaxSteerOptions& options)
         : car(asked),
           slot({.length = asked_slot.length(), .width = asked_slot.width()}),
-          problem(entering_problem(asked, asked_slot, options.driving.enter, options.driving.clearance)),
+          problem(entering_problem(asked, asked_slot, options.driving)),
           clearance(options.driving.clearance),
           radius(asked.turning_radius()) {
         CarDimensions dimensions = asked.dimensions();
@@ -49,7 +49,7 @@ struct Ground {
     }
 
     [[nodiscard]] FirstContact meets(const Pose& pose, Direction direction, double steering_angle) const {
-        return first_contact(car, slot, pose, direction, steering_angle, clearance);
+        return first_contact(car, slot, pose, direction, steering_angle, {.clearance = clearance});
     }
     [[nodiscard]] bool free(const Pose& pose, Direction direction, double steering_angle, double distance) const {
         return meets(pose, direction, steering_angle).distance >= distance;

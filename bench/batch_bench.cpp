@@ -39,7 +39,7 @@ void drive(FullSteeringRun run, AfterMove after_move) {
 struct Spread {
     Car car;
     Slot slot;
-    FullSteering steering{entering_problem(car, slot, Enter::backward, 0.0)};
+    FullSteering steering{entering_problem(car, slot, {})};
     std::vector<double> headings = {};
     std::int64_t moves = 0;
 

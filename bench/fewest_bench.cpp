@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -96,7 +97,43 @@ void shortest_slots(benchmark::State& state) {
         benchmark::DoNotOptimize(min_lengths_fewest(car, widths, {0, 1, 2, 3, 4, 5, 6, 8, 10, 20}, options));
 }
 
+/// What the outline and a neighbour set back change: the table of docs/fewest.md, with its bounds as counters.
+std::vector<Case> outlines() {
+    std::vector<Case> all;
+    const auto add = [&](const char* name, double length, double width, double front, double rear, double setback) {
+        const Car car = find_car(name).value();
+        const Outline outline = Outline::rounded(car.front(), car.rear(), car.width() / 2.0, front, rear);
+        const auto two = [](double metres) { return std::to_string(metres).substr(0, 4); };
+        all.push_back(
+            {std::string(name) + "+" + two(length) + "x" + two(width) + "/" +
+                 (setback > 0.0 ? "front-setback-" + two(setback) : two(front) + "-" + two(rear)),
+             Car(outline, car.wheelbase(), car.max_steer(), name),
+             Slot({.length = car.length() + length, .width = car.width() + width, .front_setback = setback})});
+    };
+    for (const auto& [name, length, width] :
+         {std::tuple{"renault-zoe", 0.5, 0.1}, std::tuple{"renault-zoe", 0.7, 0.2},
+          std::tuple{"vw-transporter", 0.5, 0.2}, std::tuple{"mercedes-amg-gt", 0.5, 0.2}})
+        for (const auto& [front, rear] : {std::pair{0.0, 0.0}, std::pair{0.15, 0.15}, std::pair{0.4, 0.25}})
+            add(name, length, width, front, rear, 0.0);
+    add("renault-zoe", 0.5, 0.1, 0.0, 0.0, 0.3);
+    add("vw-transporter", 0.5, 0.2, 0.0, 0.0, 0.3);
+    return all;
+}
+
+void outline(benchmark::State& state, const Case& c) {
+    Answer answer;
+    for (auto _ : state) answer = fewest(c.car, c.slot);
+    state.counters["lower"] = answer.lower_bound;
+    state.counters["changes"] = answer.direction_changes.value_or(-1);
+    state.counters["spacing_mm"] = 1e3 * answer.spacing;
+}
+
 [[maybe_unused]] const bool added = [] {
+    for (const Case& c : outlines())
+        benchmark::RegisterBenchmark(("outline/fewest/" + c.name).c_str(),
+                                     [c](benchmark::State& state) { outline(state, c); })
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(1);
     for (const Case& c : cases())
         benchmark::RegisterBenchmark(("entry/fewest/" + c.name).c_str(), [c](benchmark::State& state) {
             whole(state, c);

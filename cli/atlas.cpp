@@ -6,15 +6,15 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/menu.hpp"
 #include "cli/progress.hpp"
-#include "model/spelling.hpp"
+#include "cli/subcommands.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 
 namespace snug::cli {
 namespace {
 
-const Menu menu = {
+const Subcommands subcommands = {
     "snug atlas",
     "Answers for many cars and slots, computed beforehand.",
     {
@@ -31,25 +31,20 @@ const Menu menu = {
 
 }  // namespace
 
-Action parse_atlas(const Arguments& arguments) { return choose(menu, arguments); }
+Action parse_atlas(const Arguments& arguments) { return choose(subcommands, arguments); }
 
-void add_db(Options& options, const std::string& help) {
-    options.group("Atlas");
-    options.add("--db", "FILE", help);
+AtlasFile::AtlasFile(Options& options, const std::string& help)
+    : db(options.group("Atlas").text("--db", "FILE", help)) {}
+
+std::string AtlasFile::path() const {
+    if (!db) throw Error(db.name() + " is missing; give the atlas's file");
+    return *db;
 }
 
-std::string db(const Options& options) {
-    const std::string* path = options.typed("--db");
-    if (path == nullptr) throw Error("--db is missing; give the atlas's file");
-    return *path;
-}
-
-std::string output_beside(const Options& options, const std::string& atlas) {
-    std::string path = output(options);
+void refuse_atlas_itself(const std::string& output, const std::string& atlas) {
     std::error_code none;
-    if (!path.empty() && std::filesystem::equivalent(path, atlas, none))
-        throw Error("--output: " + in_quotes(path) + " is the atlas itself; give another file");
-    return path;
+    if (!output.empty() && std::filesystem::equivalent(output, atlas, none))
+        throw Error("--output: " + in_quotes(output) + " is the atlas itself; give another file");
 }
 
 bool is_exported(const std::string& path) {

@@ -21,12 +21,16 @@ Action parse_atlas_query(const Arguments& arguments);
 Action parse_atlas_export(const Arguments& arguments);
 Action parse_atlas_verify(const Arguments& arguments);
 
-void add_db(Options& options, const std::string& help);
-/// The file after --db. Throws Error when it is missing.
-std::string db(const Options& options);
+struct AtlasFile {
+    AtlasFile(Options& options, const std::string& help);
+    /// The file after --db. Throws Error when it is missing.
+    [[nodiscard]] std::string path() const;
 
-/// The file after --output; empty when it is missing. Throws Error when it is the atlas that is read.
-std::string output_beside(const Options& options, const std::string& atlas);
+    Option<std::string> db;
+};
+
+/// Throws Error when the file of --output is the atlas that is read.
+void refuse_atlas_itself(const std::string& output, const std::string& atlas);
 
 /// Whether the file begins like an exported atlas; what else it is, whoever opens it will say.
 bool is_exported(const std::string& path);

@@ -2,15 +2,18 @@
 #include <chrono>
 #include <utility>
 
+#include "atlas/damage.hpp"
 #include "cli/atlas.hpp"
+#include "cli/groups.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/table.hpp"
-#include "model/spelling.hpp"
+#include "sentences/check.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::cli {
 namespace {
@@ -35,17 +38,54 @@ constexpr const char* examples =
     "Exit codes: 0 complete; 2 bad input, or the file cannot be written; 130 or 143\n"
     "interrupted, and what was finished is kept.";
 
-bool is_csv(const std::string& name) { return name.size() > 4 && name.substr(name.size() - 4) == ".csv"; }
+/// The options of `snug atlas build`, in the order of its help text.
+struct Asked {
+    explicit Asked(Options& options)
+        : file(options, "The database, made if it is missing."),
+          cars(options.text("--cars", "CARS",
+                            "all, or names that `snug cars` lists, car files, or\na CSV file as `snug cars --format "
+                            "csv` prints it.")),
+          widths(options.numbers(
+              "--width", "RANGE",
+              "Widths of slots [m]: from:to:step, both ends among them,\nor a list such as 1.8,2,2.5.", size)),
+          lengths(options.numbers("--length", "RANGE", "Lengths of slots [m], likewise.", size)),
+          strategy(options.group("Question")
+                       .choice<AtlasStrategy>(
+                           "--strategy", "NAME",
+                           "max-steer (default): full steering until contact;\nfewest: over all maneuvers, with proof.",
+                           {{"max-steer", AtlasStrategy::max_steer}, {"fewest", AtlasStrategy::fewest}})),
+          max_changes(options.whole_number(
+              "--max-changes", "N",
+              "All headings with at most that many direction\nchanges, instead of the fewest up to 200.", 0,
+              limits::most_changes)),
+          min_range(options.number("--min-range", "RAD", "max-steer: leave out narrower ranges of headings\n[rad] (0).",
+                                   {" rad", 0.0, limits::quarter_turn})),
+          resolution(resolution_option(options, "ten-thousandth")),
+          driving(options),
+          threads(threads_option(options.group("Output"), " (all cores)")) {}
 
-std::vector<Car> cars(const Options& options) {
-    const std::string* text = options.typed("--cars");
-    if (text == nullptr)
-        throw Error("--cars is missing; give all, names that `snug cars` lists, car files, or a CSV file");
-    if (*text == "all") return catalogue();
+    static constexpr Quantity size = {" m", limits::shortest, limits::longest};
+
+    AtlasFile file;
+    Option<std::string> cars;
+    Option<std::vector<double>> widths;
+    Option<std::vector<double>> lengths;
+    Option<AtlasStrategy> strategy;
+    Option<int> max_changes;
+    Option<double> min_range;
+    Option<double> resolution;
+    DrivingOptions driving;
+    Option<int> threads;
+};
+
+std::vector<Car> cars(const Option<std::string>& option) {
+    if (!option)
+        throw Error(option.name() + " is missing; give all, names that `snug cars` lists, car files, or a CSV file");
+    if (*option == "all") return catalogue();
     try {
         std::vector<Car> cars;
-        for (const std::string& part : split(*text, ',')) {
-            if (!is_csv(part)) {
+        for (const std::string& part : split(*option, ',')) {
+            if (!ends_with(part, ".csv")) {
                 cars.push_back(find_or_read_car(part));
                 continue;
             }
@@ -53,31 +93,28 @@ std::vector<Car> cars(const Options& options) {
         }
         return cars;
     } catch (const Error& error) {
-        throw Error(std::string("--cars: ") + error.what());
+        throw Error(option.name() + ": " + error.what());
     }
 }
 
-std::vector<double> sizes(const Options& options, const std::string& option) {
-    const std::string* text = options.typed(option);
-    if (text == nullptr) throw Error(option + " is missing; give a list or a range in metres, such as 1.8:2.4:0.01");
-    return numbers(option, *text, {" m", 1e-6, 1e6});
+std::vector<double> sizes(const Option<std::vector<double>>& option) {
+    if (!option) throw Error(option.name() + " is missing; give a list or a range in metres, such as 1.8:2.4:0.01");
+    return *option;
 }
 
-AtlasOptions atlas_options(const Options& options) {
+AtlasOptions atlas_options(const Asked& asked) {
     AtlasOptions atlas;
-    const bool fewest = options.choice("--strategy", {"max-steer", "fewest"}) == 1;
-    atlas.strategy = fewest ? AtlasStrategy::fewest : AtlasStrategy::max_steer;
-    if (const std::string* text = options.typed("--max-changes"))
-        atlas.max_changes = whole_number("--max-changes", *text, 0, fewest ? 1000 : 100000);
-    for (const char* option : {"--resolution", "--min-range"}) {
-        if (options.typed(option) != nullptr && fewest != (option == std::string("--resolution")))
-            throw Error(std::string(option) + " belongs to --strategy " + (fewest ? "max-steer" : "fewest") +
-                        "; leave it out or give that strategy");
+    atlas.strategy = asked.strategy.value_or(AtlasStrategy::max_steer);
+    const bool fewest = atlas.strategy == AtlasStrategy::fewest;
+    if (asked.max_changes) {
+        if (fewest) check_between(asked.max_changes.name(), *asked.max_changes, 0.0, limits::most_changes_fewest, "");
+        atlas.max_changes = *asked.max_changes;
     }
-    atlas.resolution = options.number("--resolution", 0.0, 1e-9, 1e6, " m");
-    atlas.min_range = options.number("--min-range", 0.0, 0.0, 1.5707963267948966, " rad");
-    atlas.driving.clearance = clearance(options);
-    atlas.driving.enter = enter(options);
+    belongs_to(asked.resolution, fewest, "fewest");
+    belongs_to(asked.min_range, !fewest, "max-steer");
+    atlas.resolution = asked.resolution.value_or(0.0);
+    atlas.min_range = asked.min_range.value_or(0.0);
+    atlas.driving = asked.driving.driving();
     return atlas;
 }
 
@@ -102,8 +139,7 @@ int build_and_report(const std::string& path, const AtlasPlan& plan, AtlasBuildO
     wipe_progress();
     const AtlasProgress progress = database.progress();
     if (!complete && interruption() == 0)
-        throw Error(in_quotes(path) + " is damaged: nothing is missing, and yet it has " + of_cells(progress) +
-                    "; restore a copy, or build it again");
+        throw damaged(path, "nothing is missing, and yet it has " + of_cells(progress));
     if (!complete) {
         complain("snug atlas: interrupted; " + of_cells(progress) + " are stored in " + in_quotes(path) +
                  "; the same command goes on from there");
@@ -124,32 +160,16 @@ Action parse_atlas_build(const Arguments& arguments) { return parse_atlas_build(
 
 Action parse_atlas_build(const Arguments& arguments, const Build& build) {
     Options options("snug atlas build", purpose, examples);
-    add_db(options, "The database, made if it is missing.");
-    options.add(
-        "--cars", "CARS",
-        "all, or names that `snug cars` lists, car files, or\na CSV file as `snug cars --format csv` prints it.");
-    options.add("--width", "RANGE",
-                "Widths of slots [m]: from:to:step, both ends among them,\nor a list such as 1.8,2,2.5.");
-    options.add("--length", "RANGE", "Lengths of slots [m], likewise.");
-    options.group("Question");
-    options.add("--strategy", "NAME",
-                "max-steer (default): full steering until contact;\nfewest: over all maneuvers, with proof.");
-    options.add("--max-changes", "N",
-                "All headings with at most that many direction\nchanges, instead of the fewest up to 200.");
-    options.add("--min-range", "RAD", "max-steer: leave out narrower stretches of headings\n[rad] (0).");
-    options.add("--resolution", "M", "fewest: finest lattice [m] (a ten-thousandth of the\ncar's length).");
-    add_driving(options);
-    options.group("Output");
-    options.add("--threads", "N", "At most that many threads, 1 to 1024 (all cores).");
+    const Asked asked(options);
     if (!options.read(arguments)) return say(options.help());
-    const std::string path = db(options);
+    const std::string path = asked.file.path();
     AtlasPlan plan;
-    plan.cars = cars(options);
-    plan.widths = sizes(options, "--width");
-    plan.lengths = sizes(options, "--length");
-    plan.options = atlas_options(options);
+    plan.cars = cars(asked.cars);
+    plan.widths = sizes(asked.widths);
+    plan.lengths = sizes(asked.lengths);
+    plan.options = atlas_options(asked);
     AtlasBuildOptions how;
-    if (options.typed("--threads") != nullptr) how.threads = threads(options);
+    if (asked.threads) how.threads = *asked.threads;
     return [path, plan, how, build] { return build_and_report(path, plan, how, build); };
 }
 

@@ -1,9 +1,8 @@
 // snug atlas export: the database as CSV, or as the compact file that cars read.
 #include "cli/atlas.hpp"
 #include "cli/output.hpp"
-#include "cli/table.hpp"
-#include "full_steering/widest_range.hpp"
-#include "model/spelling.hpp"
+#include "io/csv.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
 
@@ -24,28 +23,21 @@ constexpr const char* examples =
     "  snug atlas export --db five.sqlite -o five.atlas\n\n"
     "Exit codes: 0 done; 2 bad input, or the file cannot be written.";
 
-bool ends_with(const std::string& text, const std::string& end) {
-    return text.size() > end.size() && text.substr(text.size() - end.size()) == end;
-}
-
 void write_csv(const AtlasDatabase& database, const AtlasWriter::Sink& sink) {
     constexpr std::size_t enough = 1 << 16;
-    std::string text =
-        "car,width,length,direction_changes,lower_bound,proved,heading_min,heading_max,entry_x,entry_y,entry_heading\n";
-    const auto number = [](bool known, double value) { return ',' + (known ? write(value) : std::string()); };
+    Csv csv({"car", "width", "length", "direction_changes", "lower_bound", "proved", "heading_min", "heading_max",
+             "entry_x", "entry_y", "entry_heading"});
     each_cell(database, [&](std::size_t car, double width, double length, const CellAnswer& answer) {
         const bool parks = answer.direction_changes.has_value();
         const HeadingRange* widest = parks ? widest_range(answer.ranges, *answer.direction_changes) : nullptr;
-        text += csv_field(database.plan().cars[car].name()) + number(true, width) + number(true, length) + ',' +
-                (parks ? std::to_string(*answer.direction_changes) : "") + ',' + std::to_string(answer.lower_bound) +
-                ',' + (answer.proved ? '1' : '0') + number(widest != nullptr, widest != nullptr ? widest->min : 0.0) +
-                number(widest != nullptr, widest != nullptr ? widest->max : 0.0) + number(parks, answer.entry.x) +
-                number(parks, answer.entry.y) + number(parks, answer.entry.heading) + '\n';
-        if (text.size() < enough) return;
-        sink(text);
-        text.clear();
+        const auto known = [](bool is_known, double value) { return is_known ? std::optional(value) : std::nullopt; };
+        csv.row(database.plan().cars[car].name(), width, length, answer.direction_changes, answer.lower_bound,
+                answer.proved ? 1 : 0, known(widest != nullptr, widest != nullptr ? widest->min : 0.0),
+                known(widest != nullptr, widest != nullptr ? widest->max : 0.0), known(parks, answer.entry.x),
+                known(parks, answer.entry.y), known(parks, answer.entry.heading));
+        if (csv.text().size() >= enough) sink(csv.take());
     });
-    sink(text);
+    sink(csv.text());
 }
 
 void write_compact(const AtlasDatabase& database, const AtlasWriter::Sink& sink) {
@@ -58,12 +50,14 @@ void write_compact(const AtlasDatabase& database, const AtlasWriter::Sink& sink)
 
 Action parse_atlas_export(const Arguments& arguments) {
     Options options("snug atlas export", purpose, examples);
-    add_db(options, "The database.");
-    options.group("Output");
-    options.add("-o,--output", "FILE", "Ends with .csv or .atlas; without it, CSV to\nstandard output.");
+    const AtlasFile file(options, "The database.");
+    const Option<std::string> output = options.group("Output").text(
+        "-o,--output", "FILE", "Ends with .csv or .atlas; without it, CSV to\nstandard output.");
     if (!options.read(arguments)) return say(options.help());
-    const std::string from = db(options);
-    const std::string to = output_beside(options, from);
+    const std::string from = file.path();
+    const std::string to = output.value_or("");
+    if (output) check_writable(output.name(), to);
+    refuse_atlas_itself(to, from);
     const bool csv = to.empty() || ends_with(to, ".csv");
     if (!csv && !ends_with(to, ".atlas"))
         throw Error("--output: " + in_quotes(to) + " has no known ending; end it with .csv or .atlas");
@@ -78,10 +72,10 @@ Action parse_atlas_export(const Arguments& arguments) {
         if (to.empty()) {
             write_csv(database, print);
         } else {
-            FileInParts file("--output", to);
-            const AtlasWriter::Sink sink = [&](std::string_view bytes) { file.write(bytes); };
+            FileInParts out("--output", to);
+            const AtlasWriter::Sink sink = [&](std::string_view bytes) { out.write(bytes); };
             csv ? write_csv(database, sink) : write_compact(database, sink);
-            file.finish();
+            out.finish();
         }
         if (!some.empty()) complain("snug atlas: " + some + ", all of which are written");
         return solved;

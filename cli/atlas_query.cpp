@@ -1,19 +1,19 @@
 // snug atlas query: one car and one slot, from the database or from an exported file.
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "cli/atlas.hpp"
 #include "cli/entry.hpp"
+#include "cli/groups.hpp"
+#include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
-#include "model/check.hpp"
-#include "model/spelling.hpp"
+#include "sentences/check.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/atlas_database.hpp"
 #include "snug/error.hpp"
-#include "snug/io.hpp"
 
 namespace snug::cli {
 namespace {
@@ -84,15 +84,24 @@ struct Question {
     Asked asked;
 };
 
-std::string car_name(const Options& options) {
-    const std::string* name = options.typed("--car");
-    if (name == nullptr) throw Error("--car is missing; give a name of the atlas");
-    return *name;
-}
+/// The options of `snug atlas query`, in the order of its help text.
+struct QueryOptions {
+    explicit QueryOptions(Options& options)
+        : file(options, "The atlas: a database, or an exported file."),
+          car(options.group("Car").text("--car", "CAR", "A name of the atlas.")),
+          slot(options),
+          output(options, "text (default) or json.") {}
 
-Question open(const Options& options) {
-    const std::string path = db(options);
-    const std::string name = car_name(options);
+    AtlasFile file;
+    Option<std::string> car;
+    SlotOptions slot;
+    OutputOptions output;
+};
+
+Question open(const QueryOptions& options) {
+    const std::string path = options.file.path();
+    if (!options.car) throw Error(options.car.name() + " is missing; give a name of the atlas");
+    const std::string name = *options.car;
     Asked asked;
     if (is_exported(path)) {
         asked.atlas = std::make_unique<Atlas>(path);
@@ -101,7 +110,7 @@ Question open(const Options& options) {
         for (std::size_t i = 0; i < atlas.cars(); ++i) names.emplace_back(atlas.car_name(i));
         asked.car = find_in_atlas(name, names);
         const Car car = atlas.car(asked.car);
-        const Slot wanted = slot(options, car);
+        const Slot wanted(options.slot.dimensions(car));
         check_in_grid("--length", wanted.length(), atlas.length(0), atlas.length(atlas.lengths() - 1));
         check_in_grid("--width", wanted.width(), atlas.width(0), atlas.width(atlas.widths() - 1));
         return {car, wanted, std::move(asked)};
@@ -112,7 +121,7 @@ Question open(const Options& options) {
     for (const Car& each : plan.cars) names.push_back(each.name());
     const std::size_t place = find_in_atlas(name, names);
     const Car car = plan.cars[place];
-    const Slot wanted = slot(options, car);
+    const Slot wanted(options.slot.dimensions(car));
     check_in_grid("--length", wanted.length(), plan.lengths.front(), plan.lengths.back());
     check_in_grid("--width", wanted.width(), plan.widths.front(), plan.widths.back());
     asked.bytes = copied(database, place, wanted.length(), wanted.width());
@@ -182,14 +191,9 @@ std::string text(const Question& question, const AtlasAnswer& found) {
 
 std::string json(const Question& question, const AtlasAnswer& found) {
     const AtlasOptions& options = question.asked.atlas->options();
-    Json answer = options.strategy == AtlasStrategy::fewest
-                      ? as_json(question.car, question.slot, options.max_changes, as_fewest(found, question))
-                      : as_json(question.car, question.slot, entry_options(options), as_entry(found, question));
-    answer["cell"] = {{"length", found.cell.length()},
-                      {"width", found.cell.width()},
-                      {"shorter", question.slot.length() - found.cell.length()},
-                      {"narrower", question.slot.width() - found.cell.width()}};
-    return write(answer);
+    const Answer answer =
+        options.strategy == AtlasStrategy::fewest ? as_fewest(found, question) : as_entry(found, question);
+    return atlas_json({question.car, question.slot, entry_options(options)}, options.strategy, answer, found.cell);
 }
 
 int exit_code(AtlasVerdict verdict) {
@@ -200,22 +204,19 @@ int exit_code(AtlasVerdict verdict) {
 
 Action parse_atlas_query(const Arguments& arguments) {
     Options options("snug atlas query", purpose, examples);
-    add_db(options, "The atlas: a database, or an exported file.");
-    options.group("Car");
-    options.add("--car", "CAR", "A name of the atlas.");
-    add_slot(options);
-    add_output(options, "text (default) or json.");
+    const QueryOptions asked_for(options);
     if (!options.read(arguments)) return say(options.help());
-    const Format chosen = format(options);
-    if (chosen == Format::csv)
-        throw Error("--format: csv is for whole tables, which snug atlas export writes; write text or json");
-    return [question = std::make_shared<const Question>(open(options)), chosen, from = db(options),
-            path = output_beside(options, db(options))] {
+    const Format format =
+        asked_for.output.format_without_csv("csv is for whole tables, which snug atlas export writes");
+    const std::string file = asked_for.file.path();
+    const std::string path = asked_for.output.path();
+    refuse_atlas_itself(path, file);
+    return [question = std::make_shared<const Question>(open(asked_for)), format, file, path] {
         const Asked& asked = question->asked;
         const AtlasAnswer found = asked.atlas->look_up(asked.car, question->slot.length(), question->slot.width());
         if (found.verdict == AtlasVerdict::damaged)
-            throw Error(in_quotes(from) + ": the part that holds the answer is damaged; copy or export it again");
-        put_out(path, chosen == Format::json ? json(*question, found) : text(*question, found));
+            throw Error(in_quotes(file) + ": the part that holds the answer is damaged; copy or export it again");
+        put_out(path, format == Format::json ? json(*question, found) : text(*question, found));
         return exit_code(found.verdict);
     };
 }

@@ -1,14 +1,13 @@
 // snug atlas verify: is a database or an exported file whole, and does it say what the solver says?
 #include <algorithm>
 #include <random>
-#include <tuple>
 
+#include "atlas/damage.hpp"
 #include "cli/atlas.hpp"
-#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "model/check.hpp"
-#include "model/spelling.hpp"
+#include "sentences/check.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 
 namespace snug::cli {
@@ -45,30 +44,6 @@ CellAnswer answer_of(const AtlasCell& cell) {
     return answer;
 }
 
-bool same(const std::optional<Contact>& one, const std::optional<Contact>& other) {
-    if (!one || !other) return !one && !other;
-    return one->part == other->part && one->obstacle == other->obstacle;
-}
-
-bool same(const CellAnswer& one, const CellAnswer& other) {
-    const auto tied = [](const CellAnswer& answer) {
-        return std::tie(answer.direction_changes, answer.lower_bound, answer.proved, answer.entry.x, answer.entry.y,
-                        answer.entry.heading);
-    };
-    return tied(one) == tied(other) &&
-           std::equal(one.ranges.begin(), one.ranges.end(), other.ranges.begin(), other.ranges.end(),
-                      [](const HeadingRange& a, const HeadingRange& b) {
-                          return std::tie(a.min, a.max, a.direction_changes, a.subrange) ==
-                                 std::tie(b.min, b.max, b.direction_changes, b.subrange);
-                      }) &&
-           std::equal(one.moves.begin(), one.moves.end(), other.moves.begin(), other.moves.end(),
-                      [](const AtlasMove& a, const AtlasMove& b) {
-                          return std::tie(a.direction, a.steering_angle, a.length) ==
-                                     std::tie(b.direction, b.steering_angle, b.length) &&
-                                 same(a.contact, b.contact);
-                      });
-}
-
 /// Solves some cells again, drawn at random but the same each time, and throws Error at the first that differs.
 void solve_some(const Cells& cells, int count) {
     const std::function<bool(double)> progress = show_progress();
@@ -81,7 +56,7 @@ void solve_some(const Cells& cells, int count) {
         const std::optional<CellAnswer> stored = cells.at(car, width, length);
         const std::optional<CellAnswer> again =
             solve(cells.cars[car], cells.widths[width], cells.lengths[length], cells.options);
-        if (stored && !same(*stored, *again))
+        if (stored && *stored != *again)
             throw Error("what is stored of " + in_quotes(cells.cars[car].name()) + " in the slot of " +
                         spelled(cells.lengths[length]) + " x " + spelled(cells.widths[width]) +
                         " m is not what this snug answers; build the atlas again");
@@ -118,8 +93,7 @@ int verify_exported(const std::string& path, int count) {
 int verify_database(const std::string& path, int count) {
     const AtlasDatabase database(path);
     const AtlasPlan& plan = database.plan();
-    if (const std::string trouble = database.trouble(); !trouble.empty())
-        throw Error(in_quotes(path) + " is damaged: " + trouble + "; restore a copy, or build it again");
+    if (const std::string trouble = database.trouble(); !trouble.empty()) throw damaged(path, trouble);
     each_cell(database, [](std::size_t, double, double, const CellAnswer&) {});  // looks at every one
     Cells cells = {plan.options, plan.cars, plan.widths, plan.lengths, {}};
     cells.at = [&](std::size_t car, std::size_t width, std::size_t length) {
@@ -137,12 +111,12 @@ int verify_database(const std::string& path, int count) {
 
 Action parse_atlas_verify(const Arguments& arguments) {
     Options options("snug atlas verify", purpose, examples);
-    add_db(options, "The atlas: a database, or an exported file.");
-    options.add("--solve", "N", "Solve so many random cells again and compare (0).");
+    const AtlasFile file(options, "The atlas: a database, or an exported file.");
+    const Option<int> solve_again =
+        options.whole_number("--solve", "N", "Solve so many random cells again and compare (0).", 0, 100'000'000);
     if (!options.read(arguments)) return say(options.help());
-    const std::string path = db(options);
-    const std::string* text = options.typed("--solve");
-    const int count = text == nullptr ? 0 : whole_number("--solve", *text, 0, 100'000'000);
+    const std::string path = file.path();
+    const int count = solve_again.value_or(0);
     return [path, count] { return is_exported(path) ? verify_exported(path, count) : verify_database(path, count); };
 }
 

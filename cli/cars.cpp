@@ -1,10 +1,9 @@
 // snug cars: the catalogue, or one car in detail.
-#include <cstdio>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "cli/command.hpp"
-#include "cli/options.hpp"
+#include "cli/groups.hpp"
+#include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "cli/table.hpp"
 #include "snug/io.hpp"
@@ -16,11 +15,14 @@ constexpr double degree = std::numbers::pi / 180.0;
 
 constexpr const char* examples =
     "A car file is a JSON object with lengths in metres and one of max_steer\n"
-    "(radians), max_steer_deg, turning_radius (of the rear axle centre) or\n"
-    "curb_to_curb (diameter, as data sheets give it); front and rear are measured\n"
-    "from the rear axle; name is optional:\n"
+    "(radians), max_steer_deg, turning_radius (of the rear axle centre), curb_to_curb\n"
+    "or wall_to_wall (diameters, as data sheets give them); front and rear are\n"
+    "measured from the rear axle, or front_overhang and rear_overhang (or length and\n"
+    "one of them) are given; name is optional:\n"
     "  {\"name\": \"my-car\", \"width\": 1.8, \"front\": 3.6, \"rear\": 0.8, \"wheelbase\": 2.6,\n"
-    "   \"curb_to_curb\": 10.8}\n\n"
+    "   \"curb_to_curb\": 10.8}\n"
+    "corner_radius (a number, or {\"front\": M, \"rear\": M}) rounds the corners; outline,\n"
+    "a list of [x, y] about the middle of the rear axle, is any convex shape.\n\n"
     "Examples:\n"
     "  snug cars\n"
     "  snug cars renault-zoe --format json > my-car.json\n"
@@ -56,45 +58,21 @@ std::string car_text(const Car& car) {
                  "lrl");
 }
 
-std::string csv(const std::vector<Car>& cars) {
-    std::string text = "name,width,front,rear,wheelbase,max_steer,max_steer_deg,turning_radius,curb_to_curb,length\n";
-    for (const Car& car : cars) {
-        text += csv_field(car.name());
-        for (const double value : {car.width(), car.front(), car.rear(), car.wheelbase(), car.max_steer(),
-                                   car.max_steer() / degree, car.turning_radius(), car.curb_to_curb(), car.length()}) {
-            text += ',' + write(value);
-        }
-        text += '\n';
-    }
-    return text;
-}
-
-std::string json(const std::vector<Car>& cars) {
-    Json list = Json::array();
-    for (const Car& car : cars) {
-        list.push_back(as_json(car));
-    }
-    return write(list);
-}
-
 }  // namespace
 
 Action parse_cars(const Arguments& arguments) {
     Options options("snug cars", "The cars snug knows, or one car in detail.", examples);
-    options.add_argument("NAME", "A car's name, or a JSON file; without it, all cars.");
-    add_output(options);
-    if (!options.read(arguments)) {
-        return say(options.help());
-    }
-    const std::string* name = options.typed("NAME");
-    const std::vector<Car> cars = name == nullptr ? catalogue() : std::vector<Car>{find_or_read_car(*name)};
+    const Option<std::string> name = options.argument("NAME", "A car's name, or a JSON file; without it, all cars.");
+    const OutputOptions output(options);
+    if (!options.read(arguments)) return say(options.help());
+    const std::vector<Car> cars = name ? std::vector<Car>{find_or_read_car(*name)} : catalogue();
     std::string text;
-    switch (format(options)) {
-        case Format::text: text = name == nullptr ? catalogue_text(cars) : car_text(cars.front()); break;
-        case Format::json: text = name == nullptr ? json(cars) : write(as_json(cars.front())); break;
-        case Format::csv: text = csv(cars); break;
+    switch (output.format()) {
+        case Format::text: text = name ? car_text(cars.front()) : catalogue_text(cars); break;
+        case Format::json: text = name ? car_json(cars.front()) : cars_json(cars); break;
+        case Format::csv: text = as_csv(cars); break;
     }
-    return [text, path = output(options)] {
+    return [text, path = output.path()] {
         put_out(path, text);
         return solved;
     };

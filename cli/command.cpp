@@ -4,13 +4,13 @@
 #include <exception>
 #include <new>
 
-#include "cli/menu.hpp"
 #include "cli/output.hpp"
+#include "cli/subcommands.hpp"
 
 namespace snug::cli {
 namespace {
 
-const Menu menu = {
+const Subcommands subcommands = {
     "snug",
     "an exact solver for parallel parking",
     {
@@ -37,11 +37,12 @@ Action say(const std::string& text) {
     };
 }
 
-Action parse(const Arguments& arguments) { return choose(menu, arguments); }
+Action parse(const Arguments& arguments) { return choose(subcommands, arguments); }
 
 int run(const Arguments& arguments) {
     std::string prefix = "snug: ";
-    if (!arguments.empty() && find(menu, arguments.front()) != nullptr) prefix = "snug " + arguments.front() + ": ";
+    if (!arguments.empty() && find(subcommands, arguments.front()) != nullptr)
+        prefix = "snug " + arguments.front() + ": ";
     return answered(prefix, [&] { return parse(arguments)(); });
 }
 

@@ -1,25 +1,22 @@
 // snug entry: from which headings can the car enter the slot, and how does it go on from there.
 #include "cli/entry.hpp"
 
-#include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 
 #include "cli/command.hpp"
-#include "cli/numbers.hpp"
-#include "cli/options.hpp"
+#include "cli/groups.hpp"
+#include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/waypoints.hpp"
-#include "model/spelling.hpp"
+#include "io/csv.hpp"
+#include "sentences/check.hpp"
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
-#include "snug/io.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::cli {
 namespace {
-
-constexpr int most_changes = 100000;
 
 constexpr const char* purpose =
     "From where to enter a parallel parking slot with the fewest direction changes,\n"
@@ -33,97 +30,171 @@ constexpr const char* examples =
     "  snug entry --car renault-zoe --length 4.5 --width 2.0\n"
     "  snug entry --car mid-size --extra-length 0.6 --extra-width 0.3 --side left\n"
     "  snug entry --car my-car.json --length 5 --width 2 --draw parking.svg\n"
-    "  snug entry --car opel-corsa --length 4.6 --width 2 --max-changes 9\n\n"
+    "  snug entry --car opel-corsa --length 4.6 --width 2 --max-changes 9\n"
+    "  snug entry --car renault-zoe --length 4.6 --width 1.9 --strategy fewest --curb low\n\n"
     "Exit codes: 0 solved; 1 understood, and the car cannot park; 2 bad input, with\n"
     "one line that says what is wrong; 3 undecided within the limits given.";
 
-struct Picture {
-    std::string path;
-    PictureFormat format = PictureFormat::svg;
-    bool entries = false;
+enum class View { maneuver, entries };
+
+/// The options of `snug entry`, in the order of its help text.
+struct Asked {
+    explicit Asked(Options& options)
+        : car(options),
+          slot(options),
+          neighbours(options),
+          parked(options),
+          driving(options),
+          max_changes(
+              options.group("Question")
+                  .whole_number(
+                      "--max-changes", "N",
+                      "All headings with at most that many direction\nchanges, instead of the fewest up to 200.", 0,
+                      limits::most_changes)),
+          min_range(options.number("--min-range", "RAD", "Leave out narrower ranges of headings [rad] (0).",
+                                   {" rad", 0.0, limits::quarter_turn})),
+          planner(options.group("Strategy")
+                      .choice<Planner>(
+                          "--strategy", "NAME",
+                          "max-steer (default): full steering until contact,\nexactly; fewest: over all maneuvers, "
+                          "with proof;\n"
+                          "stepping: max-steer in small steps;\nreversed-trials, parallel-trials: from a goal, as\n"
+                          "the planners the paper compares itself with.",
+                          {{"max-steer", Planner::max_steer},
+                           {"stepping", Planner::stepping},
+                           {"reversed-trials", Planner::reversed_trials},
+                           {"parallel-trials", Planner::parallel_trials},
+                           {"fewest", Planner::fewest}})),
+          resolution(resolution_option(options, "ten-thousandth")),
+          time_limit(time_limit_option(options)),
+          stepping(options),
+          goal(options.declared<Pose>(
+              "--goal", "X,Y,HEADING",
+              "trials: where the rear axle ends up, in the world\n[m, rad] (reversed-trials: at the entry side "
+              "and\nthe rear neighbour; parallel-trials: anywhere).",
+              pose)),
+          output(options),
+          draw(draw_option(options)),
+          view(options.choice<View>("--view", "VIEW",
+                                    "What to draw: maneuver (default), or entries: all\nentry positions.",
+                                    {{"maneuver", View::maneuver}, {"entries", View::entries}})),
+          waypoints(options),
+          threads(threads_option(options)) {}
+
+    CarOptions car;
+    SlotOptions slot;
+    NeighbourOptions neighbours;
+    ParkedOptions parked;
+    DrivingOptions driving;
+    Option<int> max_changes;
+    Option<double> min_range;
+    Option<Planner> planner;
+    Option<double> resolution;
+    Option<double> time_limit;
+    SteppingOptions stepping;
+    Option<Pose> goal;
+    OutputOptions output;
+    Option<std::string> draw;
+    Option<View> view;
+    WaypointsOptions waypoints;
+    Option<int> threads;  ///< accepted for all commands alike: one heading after the other is fast enough
 };
 
-std::optional<Picture> picture(const Options& options) {
-    const std::string* path = options.typed("--draw");
-    if (path == nullptr) {
-        if (options.typed("--view") != nullptr) {
-            throw Error("--view belongs to --draw; leave it out or give --draw FILE");
-        }
-        return std::nullopt;
+bool from_a_goal(Planner planner) { return planner == Planner::reversed_trials || planner == Planner::parallel_trials; }
+
+/// What a strategy's options mean, each given only with its strategy.
+Strategy strategy(const Asked& asked, Planner planner) {
+    const Stepping stepping = asked.stepping.stepping(planner == Planner::stepping);
+    belongs_to(asked.resolution, planner == Planner::fewest, "fewest");
+    belongs_to(asked.time_limit, planner == Planner::fewest, "fewest");
+    belongs_to(asked.goal, from_a_goal(planner), "reversed-trials or parallel-trials");
+    const std::optional<Pose> goal = asked.goal ? std::optional<Pose>(*asked.goal) : std::nullopt;
+    switch (planner) {
+        case Planner::stepping: return stepping;
+        case Planner::reversed_trials: return ReversedTrials{.goal = goal};
+        case Planner::parallel_trials: return ParallelTrials{.goal = goal};
+        case Planner::max_steer:
+        case Planner::fewest: break;
     }
-    const std::optional<PictureFormat> format = picture_format(*path);
-    if (!format) {
-        throw Error("--draw: " + in_quotes(*path) + " has no known extension; end it with .svg, .pdf or .png");
-    }
-    const std::string* output = options.typed("--output");
-    if (output != nullptr && *output == *path) {
-        throw Error("--draw and --output are the same file; give them different names");
-    }
-    check_writable("--draw", *path);
-    return Picture{*path, *format, options.choice("--view", {"maneuver", "entries"}) == 1};
+    return MaxSteer{};
 }
 
-EntryOptions entry_options(const Options& options) {
-    EntryOptions entry_options;
-    if (const std::string* text = options.typed("--max-changes")) {
-        entry_options.max_changes = whole_number("--max-changes", *text, 0, most_changes);
-    }
-    entry_options.min_range = options.number("--min-range", 0.0, 0.0, std::numbers::pi / 2.0, " rad");
-    entry_options.driving.clearance = clearance(options);
-    entry_options.driving.enter = enter(options);
-    entry_options.strategy = strategy(options);
-    const bool trials = std::holds_alternative<ReversedTrials>(entry_options.strategy) ||
-                        std::holds_alternative<ParallelTrials>(entry_options.strategy);
-    if (trials && options.typed("--min-range") != nullptr) {
-        throw Error("--min-range asks for ranges of headings, but trials have none; leave it out or change --strategy");
-    }
-    if (std::holds_alternative<Stepping>(entry_options.strategy)) {
-        entry_options.progress = show_progress();
-    }
-    return entry_options;
+EntryQuestion question(const Asked& asked, Planner planner) {
+    const Car car = asked.car.car();
+    SlotDimensions slot = asked.slot.dimensions(car);
+    asked.neighbours.describe(slot);
+    refuse_for_baselines(planner, asked.neighbours, asked.parked);
+    EntryOptions options;
+    if (asked.max_changes) options.max_changes = *asked.max_changes;
+    options.min_range = asked.min_range.value_or(0.0);
+    options.driving = asked.driving.driving(asked.neighbours);
+    options.parked = asked.parked.parked();
+    options.strategy = strategy(asked, planner);
+    if (asked.min_range && (from_a_goal(planner) || planner == Planner::fewest))
+        throw Error(asked.min_range.name() + " asks for ranges of headings, but " +
+                    (planner == Planner::fewest ? "fewest has" : "trials have") +
+                    " none; leave it out or change --strategy");
+    if (planner == Planner::stepping) options.progress = show_progress();
+    return {car, Slot(slot), options};
 }
 
-std::string drawn(const Picture& picture, const EntryQuestion& question, const Answer& answer) {
+std::string drawn(const PictureFile& picture, View view, const EntryQuestion& question, const Answer& answer) {
     const PictureOptions options = {question.options.driving};
-    const auto draw = picture.entries
-                          ? draw_entries
-                          : static_cast<std::string (*)(const Car&, const Slot&, const Answer&, PictureFormat,
-                                                        const PictureOptions&)>(draw_maneuver);
-    return draw(question.car, question.slot, answer, picture.format, options);
+    if (view == View::entries) return draw_entries(question.car, question.slot, answer, picture.format, options);
+    return draw_maneuver(question.car, question.slot, answer, picture.format, options);
 }
 
 std::string written(Format format, const EntryQuestion& question, const Answer& answer) {
     switch (format) {
-        case Format::json: return write(as_json(question.car, question.slot, question.options, answer));
+        case Format::json: return entry_json(question, answer);
         case Format::csv: return entry_csv(answer);
         case Format::text: break;
     }
     return entry_text(question, answer);
 }
 
+/// Where all parts of an answer go.
+struct Files {
+    explicit Files(const Asked& asked)
+        : route(waypoints_file(asked.waypoints, asked.draw, asked.output.file)),
+          picture(picture_file(asked.draw, asked.output)),
+          view(asked.view.value_or(View::maneuver)),
+          path(asked.output.path()) {
+        if (asked.view && !asked.draw)
+            throw Error(asked.view.name() + " belongs to --draw; leave it out or give --draw FILE");
+    }
+
+    void write(const EntryQuestion& question, const Answer& answer, const std::string& text) const {
+        if (route) write_file("--waypoints", route->path, cli::written(*route, answer.maneuver));
+        if (picture && !answer.cancelled) write_file("--draw", picture->path, drawn(*picture, view, question, answer));
+        put_out(path, text);
+    }
+
+    std::optional<WaypointsFile> route;
+    std::optional<PictureFile> picture;
+    View view;
+    std::string path;
+};
+
 /// --strategy fewest: another question, with a maneuver and no ranges of headings.
-Action fewest_action(const Options& options, const EntryQuestion& question) {
-    if (options.typed("--min-range") != nullptr)
-        throw Error("--min-range asks for ranges of headings, but fewest has none; leave it out or change --strategy");
-    FewestOptions asked = fewest_options(options);
-    asked.progress = show_bounds();
-    const Format chosen = format(options);
-    if (chosen == Format::csv)
-        throw Error("--format: csv lists ranges of headings, but fewest has none; write text or json");
-    const std::optional<WaypointsFile> route = waypoints_file(options);
-    return [question, asked, chosen, route, picture = picture(options), path = output(options)] {
-        const Answer answer = fewest(question.car, question.slot, asked);
-        if (asked.progress) wipe_progress();
-        if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
-        if (picture) {
-            Answer as_entry;
-            as_entry.direction_changes = answer.direction_changes;
-            as_entry.maneuver = answer.maneuver;
-            write_file("--draw", picture->path, drawn(*picture, question, as_entry));
-        }
-        put_out(path, chosen == Format::json
-                          ? write(as_json(question.car, question.slot, question.options.max_changes, answer))
-                          : fewest_text(question, asked.max_changes, answer));
+Action fewest_action(const Asked& asked, const EntryQuestion& question) {
+    FewestOptions options;
+    if (asked.max_changes) {
+        check_between(asked.max_changes.name(), *asked.max_changes, 0.0, limits::most_changes_fewest, "");
+        options.max_changes = *asked.max_changes;
+    }
+    options.driving = question.options.driving;
+    options.parked = question.options.parked;
+    options.resolution = asked.resolution.value_or(0.0);
+    options.time_limit = asked.time_limit.value_or(options.time_limit);
+    options.progress = show_bounds();
+    const Format format = asked.output.format_without_csv("csv lists ranges of headings, but fewest has none");
+    return [question, options, format, files = Files(asked)] {
+        const Answer answer = fewest(question.car, question.slot, options);
+        if (options.progress) wipe_progress();
+        files.write(question, answer,
+                    format == Format::json ? fewest_json(question, answer)
+                                           : fewest_text(question, options.max_changes, answer));
         return exit_code(answer);
     };
 }
@@ -131,48 +202,23 @@ Action fewest_action(const Options& options, const EntryQuestion& question) {
 }  // namespace
 
 std::string entry_csv(const Answer& answer) {
-    std::string text = "heading_min,heading_max,direction_changes,subrange\n";
-    for (const HeadingRange& range : answer.ranges) {
-        text += write(range.min) + ',' + write(range.max) + ',' + std::to_string(range.direction_changes) + ',' +
-                std::to_string(range.subrange) + '\n';
-    }
-    return text;
+    Csv csv({"heading_min", "heading_max", "direction_changes", "subrange"});
+    for (const HeadingRange& range : answer.ranges)
+        csv.row(range.min, range.max, range.direction_changes, range.subrange);
+    return csv.text();
 }
 
 Action parse_entry(const Arguments& arguments) {
     Options options("snug entry", purpose, examples);
-    add_car(options);
-    add_slot(options);
-    add_driving(options);
-    options.group("Question");
-    options.add("--max-changes", "N",
-                "All headings with at most that many direction\nchanges, instead of the fewest up to 200.");
-    options.add("--min-range", "RAD", "Leave out narrower stretches of headings [rad] (0).");
-    add_strategy(options);
-    add_output(options);
-    options.add("--draw", "FILE", "Draw a picture: FILE ends with .svg, .pdf or .png.");
-    options.add("--view", "VIEW", "What to draw: maneuver (default), or entries: all\nentry positions.");
-    add_waypoints(options);
-    add_threads(options);
-    if (!options.read(arguments)) {
-        return say(options.help());
-    }
-    const Car the_car = car(options);
-    const EntryQuestion question = {the_car, slot(options, the_car), entry_options(options)};
-    if (const std::string* name = options.typed("--strategy"); name != nullptr && *name == "fewest")
-        return fewest_action(options, question);
-    static_cast<void>(threads(options));  // one heading after the other is fast enough
-    const std::optional<WaypointsFile> route = waypoints_file(options);
-    return [question, route, picture = picture(options), format = format(options), path = output(options)] {
-        const Answer answer = entry(question.car, question.slot, question.options);
-        if (question.options.progress) {
-            wipe_progress();
-        }
-        if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
-        if (picture && !answer.cancelled) {
-            write_file("--draw", picture->path, drawn(*picture, question, answer));
-        }
-        put_out(path, written(format, question, answer));
+    const Asked asked(options);
+    if (!options.read(arguments)) return say(options.help());
+    const Planner planner = asked.planner.value_or(Planner::max_steer);
+    const EntryQuestion whole = question(asked, planner);
+    if (planner == Planner::fewest) return fewest_action(asked, whole);
+    return [whole, format = asked.output.format(), files = Files(asked)] {
+        const Answer answer = entry(whole.car, whole.slot, whole.options);
+        if (whole.options.progress) wipe_progress();
+        files.write(whole, answer, written(format, whole, answer));
         return answer.cancelled ? undecided : answer.parkable() ? solved : cannot_park;
     };
 }

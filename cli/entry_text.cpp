@@ -6,7 +6,6 @@
 #include "cli/entry.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
-#include "full_steering/widest_range.hpp"
 
 namespace snug::cli {
 namespace {
@@ -81,9 +80,9 @@ std::string refusal(const EntryQuestion& question) {
         why =
             "the slot is " + lacking + " for the car" + (options.driving.clearance > 0.0 ? " with its clearance" : "");
     } else if (options.min_range > 0.0) {
-        why = "no stretch of entry headings at least " +
-              fixed(options.min_range / degree, decimals(options.min_range)) + " deg wide\nparks with " +
-              (options.max_changes == 0 ? "" : "up to ") + changes(options.max_changes.value_or(200));
+        why = "no range of entry headings at least " + fixed(options.min_range / degree, decimals(options.min_range)) +
+              " deg wide\nparks with " + (options.max_changes == 0 ? "" : "up to ") +
+              changes(options.max_changes.value_or(200));
     } else {
         const bool trials = std::holds_alternative<ReversedTrials>(options.strategy) ||
                             std::holds_alternative<ParallelTrials>(options.strategy);

@@ -1,18 +1,16 @@
 // snug leave: with how few direction changes does a parked car get out, and how.
 #include "snug/leave.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "cli/command.hpp"
 #include "cli/entry.hpp"
-#include "cli/options.hpp"
+#include "cli/groups.hpp"
+#include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/waypoints.hpp"
-#include "model/spelling.hpp"
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
-#include "snug/io.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::cli {
 namespace {
@@ -28,61 +26,86 @@ constexpr const char* examples =
     "Exit codes: 0 solved; 1 understood, and the car cannot leave; 2 bad input, with\n"
     "one line that says what is wrong; 3 undecided within the limits given.";
 
-double gap(const Options& options, const std::string& option) {
-    if (options.typed(option) == nullptr) throw Error(option + " is missing; give it in metres");
-    return options.number(option, 0.0, 0.0, 1e6, " m");
+/// The options of `snug leave`, in the order of its help text.
+struct Asked {
+    explicit Asked(Options& options)
+        : car(options),
+          slot(options),
+          neighbours(options),
+          gap_front(options.group("Where it is parked")
+                        .number("--gap-front", "M", "From its foremost point to the front neighbour [m].", gap)),
+          gap_curb(options.number("--gap-curb", "M", "From its point nearest the curb to the curb [m].", gap)),
+          heading(options.number("--car-heading", "RAD",
+                                 "Off parallel, positive with the nose away from the\ncurb [rad] (0).",
+                                 {" rad", -1.2, 1.2})),
+          clearance(clearance_option(options.group("Driving"))),
+          max_changes(options.group("Question")
+                          .whole_number("--max-changes", "N", "At most that many direction changes (200).", 0,
+                                        limits::most_changes_fewest)),
+          resolution(resolution_option(options, "ten-thousandth")),
+          time_limit(time_limit_option(options)),
+          output(options),
+          draw(draw_option(options)),
+          waypoints(options) {}
+
+    static constexpr Quantity gap = {" m", 0.0, limits::longest};
+
+    CarOptions car;
+    SlotOptions slot;
+    NeighbourOptions neighbours;
+    Option<double> gap_front;
+    Option<double> gap_curb;
+    Option<double> heading;
+    Option<double> clearance;
+    Option<int> max_changes;
+    Option<double> resolution;
+    Option<double> time_limit;
+    OutputOptions output;
+    Option<std::string> draw;
+    WaypointsOptions waypoints;
+};
+
+double needed(const Option<double>& gap) {
+    if (!gap) throw Error(gap.name() + " is missing; give it in metres");
+    return *gap;
 }
 
 }  // namespace
 
 Action parse_leave(const Arguments& arguments) {
     Options options("snug leave", purpose, examples);
-    add_car(options);
-    add_slot(options);
-    options.group("Where it is parked");
-    options.add("--gap-front", "M", "From its foremost point to the front neighbour [m].");
-    options.add("--gap-curb", "M", "From its point nearest the curb to the curb [m].");
-    options.add("--car-heading", "RAD", "Off parallel, positive with the nose away from the\ncurb [rad] (0).");
-    options.group("Driving");
-    options.add("--clearance", "M", "Distance to keep from everything while driving\n[m] (0).");
-    options.group("Question");
-    options.add("--max-changes", "N", "At most that many direction changes (200).");
-    add_fewest(options);
-    add_output(options);
-    options.add("--draw", "FILE", "Draw a picture: FILE ends with .svg, .pdf or .png.");
-    add_waypoints(options);
+    const Asked asked(options);
     if (!options.read(arguments)) return say(options.help());
-    const Car the_car = car(options);
-    EntryQuestion question = {the_car, slot(options, the_car), {}};
-    FewestOptions asked = fewest_options(options);
-    question.options.driving.clearance = asked.driving.clearance;
-    asked.progress = show_bounds();
+    const Car car = asked.car.car();
+    SlotDimensions slot = asked.slot.dimensions(car);
+    asked.neighbours.describe(slot);
+    EntryQuestion question = {car, Slot(slot), {}};
+    FewestOptions limited;
+    limited.max_changes = asked.max_changes.value_or(limited.max_changes);
+    limited.driving.clearance = asked.clearance.value_or(0.0);
+    if (asked.neighbours.curb_clearance) limited.driving.curb_clearance = *asked.neighbours.curb_clearance;
+    limited.resolution = asked.resolution.value_or(0.0);
+    limited.time_limit = asked.time_limit.value_or(limited.time_limit);
+    limited.progress = show_bounds();
+    question.options.driving = limited.driving;
     ParkedGaps gaps;
-    gaps.front = gap(options, "--gap-front");
-    gaps.curb = gap(options, "--gap-curb");
-    gaps.heading = options.number("--car-heading", 0.0, -1.2, 1.2, " rad");
-    const Format chosen = format(options);
-    if (chosen == Format::csv) throw Error("--format: csv has rows of ranges, but leave has none; write text or json");
-    std::string picture;
-    std::optional<PictureFormat> picture_as;
-    if (const std::string* file = options.typed("--draw")) {
-        picture = *file;
-        picture_as = picture_format(picture);
-        if (!picture_as)
-            throw Error("--draw: " + in_quotes(picture) + " has no known extension; end it with .svg, .pdf or .png");
-        check_writable("--draw", picture);
-    }
-    const std::optional<WaypointsFile> route = waypoints_file(options);
-    return [question, asked, gaps, chosen, picture, picture_as, route, path = output(options)] {
-        const Answer answer = leave(question.car, question.slot, parked_pose(question.car, question.slot, gaps), asked);
-        if (asked.progress) wipe_progress();
+    gaps.front = needed(asked.gap_front);
+    gaps.curb = needed(asked.gap_curb);
+    gaps.heading = asked.heading.value_or(0.0);
+    const Format format = asked.output.format_without_csv("csv has rows of ranges, but leave has none");
+    const std::optional<PictureFile> picture = picture_file(asked.draw, asked.output);
+    const std::optional<WaypointsFile> route = waypoints_file(asked.waypoints, asked.draw, asked.output.file);
+    return [question, limited, gaps, format, picture, route, path = asked.output.path()] {
+        const Answer answer =
+            leave(question.car, question.slot, parked_pose(question.car, question.slot, gaps), limited);
+        if (limited.progress) wipe_progress();
         if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
-        if (picture_as && answer.maneuver) {
-            const PictureOptions drawn = {asked.driving};
-            write_file("--draw", picture, draw_maneuver(question.slot, *answer.maneuver, *picture_as, drawn));
+        if (picture && answer.maneuver) {
+            const PictureOptions drawn = {limited.driving};
+            write_file("--draw", picture->path, draw_maneuver(question.slot, *answer.maneuver, picture->format, drawn));
         }
-        put_out(path, chosen == Format::json ? write(leave_as_json(question.car, question.slot, answer))
-                                             : leave_text(question, asked.max_changes, answer));
+        put_out(path, format == Format::json ? leave_json(question, answer)
+                                             : leave_text(question, limited.max_changes, answer));
         return exit_code(answer);
     };
 }

@@ -3,24 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "cli/command.hpp"
-#include "cli/numbers.hpp"
-#include "cli/options.hpp"
+#include "cli/groups.hpp"
+#include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
+#include "io/csv.hpp"
+#include "sentences/check.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::cli {
 namespace {
 
-constexpr double longest = 1e6;  // [m], what a Slot accepts
-constexpr int most_changes = 100000;
 constexpr double many_points = 1e6;
 constexpr std::size_t points_at_once = 4096;
 
@@ -42,87 +41,127 @@ constexpr const char* examples =
     "Exit codes: 0 solved; 1 understood, and no row has an answer; 2 bad input, with\n"
     "one line that says what is wrong.";
 
-struct Question {
-    Car car;
-    Given given = Given::width;
-    std::vector<double> sizes;  ///< the widths or lengths given
-    std::vector<int> max_changes;
-    MinSlotOptions options;
-    Strategy strategy;
-    double step = 0.01;  ///< of the paper's loop [m]
-    int threads = 0;
+/// The options of `snug min-slot`, in the order of its help text.
+struct Asked {
+    explicit Asked(Options& options)
+        : car(options),
+          max_changes(options.group("Slot").numbers(
+              "--max-changes", "LIST", "Direction changes allowed, one or several.", {"", 0.0, limits::most_changes})),
+          widths(options.numbers("--width", "RANGE", "Widths to find the shortest slot for [m].", size)),
+          lengths(options.numbers("--length", "RANGE", "Lengths to find the narrowest slot for [m].", size)),
+          extra_widths(options.numbers("--extra-width", "RANGE", "Widths beyond the car's [m].", extra)),
+          extra_lengths(options.numbers("--extra-length", "RANGE", "Lengths beyond the car's [m].", extra)),
+          max_length(
+              options.number("--max-length", "M", "No longer slots [m] (4 m more than the car's length).", size)),
+          min_range(options.number("--min-range", "RAD", "Entry headings must hold a range that wide [rad]\n(0).",
+                                   {" rad", 0.0, limits::quarter_turn})),
+          neighbours(options),
+          parked(options),
+          driving(options),
+          planner(options.group("Strategy")
+                      .choice<Planner>("--strategy", "NAME",
+                                       "max-steer (default): exactly; fewest: over all\nmaneuvers, between two proved "
+                                       "lengths; stepping: the\n"
+                                       "paper's loop over slots, for comparison.",
+                                       {{"max-steer", Planner::max_steer},
+                                        {"fewest", Planner::fewest},
+                                        {"stepping", Planner::stepping}})),
+          resolution(resolution_option(options, "two-thousandth")),
+          length_step(options.number("--length-step", "M", "stepping: between the lengths tried [m] (0.01).", step)),
+          width_step(options.number("--width-step", "M", "stepping: between the widths tried [m] (0.01).", step)),
+          stepping(options),
+          output(options),
+          threads(threads_option(options)) {}
+
+    static constexpr Quantity size = {" m", limits::shortest, limits::longest};
+    static constexpr Quantity extra = {" m", -limits::longest, limits::longest};
+    static constexpr Quantity step = {" m", 1e-5, 1e3};
+
+    CarOptions car;
+    Option<std::vector<double>> max_changes;
+    Option<std::vector<double>> widths;
+    Option<std::vector<double>> lengths;
+    Option<std::vector<double>> extra_widths;
+    Option<std::vector<double>> extra_lengths;
+    Option<double> max_length;
+    Option<double> min_range;
+    NeighbourOptions neighbours;
+    ParkedOptions parked;
+    DrivingOptions driving;
+    Option<Planner> planner;
+    Option<double> resolution;
+    Option<double> length_step;
+    Option<double> width_step;
+    SteppingOptions stepping;
+    OutputOptions output;
+    Option<int> threads;
 };
 
-bool is_typed(const Options& options, const std::string& name) {
-    return options.typed("--" + name) != nullptr || options.typed("--extra-" + name) != nullptr;
-}
-
-/// The widths or lengths asked about.
-std::vector<double> sizes(const Options& options, const std::string& name, double car_size) {
-    const std::string direct = "--" + name;
-    const std::string extra = "--extra-" + name;
-    const std::string* text = options.typed(direct);
-    const std::string* extra_text = options.typed(extra);
-    if (text != nullptr && extra_text != nullptr) {
-        throw Error(direct + " and " + extra + " exclude each other; give one of them");
+/// The widths or lengths asked about: themselves, or what they have beyond the car's.
+std::vector<double> sizes(const Option<std::vector<double>>& direct, const Option<std::vector<double>>& beyond,
+                          double car_size) {
+    if (direct && beyond)
+        throw Error(direct.name() + " and " + beyond.name() + " exclude each other; give one of them");
+    if (direct) return *direct;
+    std::vector<double> all = *beyond;
+    for (double& size : all) {
+        check_between(beyond.name(), size, limits::shortest - car_size, limits::longest - car_size, " m");
+        size = std::round((car_size + size) * 1e12) / 1e12;  // 1.781, not 1.7809999999999999
     }
-    if (text != nullptr) return numbers(direct, *text, {" m", shortest, longest});
-    std::vector<double> all = numbers(extra, *extra_text, {" m", shortest - car_size, longest - car_size});
-    for (double& size : all) size = std::round((car_size + size) * 1e12) / 1e12;  // 1.781, not 1.7809999999999999
     return all;
 }
+std::vector<double> widths(const Asked& asked, const Car& car) {
+    return sizes(asked.widths, asked.extra_widths, car.width());
+}
+std::vector<double> lengths(const Asked& asked, const Car& car) {
+    return sizes(asked.lengths, asked.extra_lengths, car.length());
+}
 
-double one_size(const Options& options, const std::string& name, double car_size) {
-    const std::vector<double> all = sizes(options, name, car_size);
-    if (all.size() > 1) {
+double one_size(const std::vector<double>& all, const std::string& name) {
+    if (all.size() > 1)
         throw Error("--" + name + " is a list, but without --max-changes one slot is asked about; give one " + name +
                     ", or --max-changes and either lengths or widths");
-    }
     return all.front();
 }
 
-std::vector<int> counts(const Options& options) {
-    const std::string* text = options.typed("--max-changes");
-    if (text == nullptr) {
-        throw Error("--max-changes is missing; give the direction changes allowed, for example 0,1,2,5,10");
-    }
+std::vector<int> counts(const Asked& asked) {
+    if (!asked.max_changes)
+        throw Error(asked.max_changes.name() +
+                    " is missing; give the direction changes allowed, for example 0,1,2,5,10");
     std::vector<int> all;
-    for (const double count : numbers("--max-changes", *text, {"", 0.0, most_changes})) {
-        all.push_back(static_cast<int>(count));
-    }
+    for (const double count : *asked.max_changes) all.push_back(static_cast<int>(count));
     return all;
 }
 
-/// max-steer, or stepping with the step of its loop.
-void set_strategy(const Options& options, Question& question) {
-    static_cast<void>(options.choice("--strategy", {"max-steer", "fewest", "stepping"}));  // no trials
-    question.strategy = strategy(options);
-    const bool stepping = std::holds_alternative<Stepping>(question.strategy);
-    const char* used = question.given == Given::width ? "--length-step" : "--width-step";
-    const char* unused = question.given == Given::width ? "--width-step" : "--length-step";
-    for (const char* option : {used, unused}) {
-        if (!stepping && options.typed(option) != nullptr) {
-            throw Error(std::string(option) + " belongs to --strategy stepping; leave it out or give that strategy");
-        }
-    }
-    if (options.typed(unused) != nullptr) {
-        throw Error(std::string(unused) + " is of no use here; give " + used + ", or leave it out");
-    }
-    question.step = options.number(used, question.step, 1e-5, 1e3, " m");
+/// Between the slots that the paper's loop tries. [m]
+double loop_step(const Asked& asked, Planner planner, Given given) {
+    const Option<double>& used = given == Given::width ? asked.length_step : asked.width_step;
+    const Option<double>& unused = given == Given::width ? asked.width_step : asked.length_step;
+    belongs_to(used, planner == Planner::stepping, "stepping");
+    belongs_to(unused, planner == Planner::stepping, "stepping");
+    if (unused) throw Error(unused.name() + " is of no use here; give " + used.name() + ", or leave it out");
+    return used.value_or(0.01);
 }
 
-MinSlotOptions min_slot_options(const Options& options, const Car& car) {
-    MinSlotOptions question;
-    question.min_range = options.number("--min-range", 0.0, 0.0, std::numbers::pi / 2.0, " rad");
-    question.driving.clearance = clearance(options);
-    question.driving.enter = enter(options);
-    const double usual = std::min(car.length() + 4.0, longest);
-    const double max_length = options.number("--max-length", usual, shortest, longest, " m");
-    question.longest = std::max(0.0, max_length - car.length() - 2.0 * question.driving.clearance);
+MinSlotQuestion understood(const Asked& asked, Planner planner, Given given) {
+    MinSlotQuestion question{asked.car.car(), given, {}, {}, {}};
+    const Car& car = question.car;
+    question.options.min_range = asked.min_range.value_or(0.0);
+    question.options.driving = asked.driving.driving(asked.neighbours);
+    question.options.parked = asked.parked.parked();
+    refuse_for_baselines(planner, asked.neighbours, asked.parked);
+    const double max_length = asked.max_length.value_or(std::min(car.length() + 4.0, limits::longest));
+    question.options.longest = std::max(0.0, max_length - car.length() - 2.0 * question.options.driving.clearance);
+    if (asked.threads) question.threads = *asked.threads;
+    belongs_to(asked.resolution, planner == Planner::fewest, "fewest");
+    const Stepping stepping = asked.stepping.stepping(planner == Planner::stepping);
+    if (planner == Planner::stepping) question.strategy = stepping;
+    question.step = loop_step(asked, planner, given);
     return question;
 }
 
-std::vector<MinSlotRow> answer(const Question& question, const std::vector<double>& sizes, const SweepOptions& sweep) {
+std::vector<MinSlotRow> answer(const MinSlotQuestion& question, const std::vector<double>& sizes,
+                               const SweepOptions& sweep) {
     const bool width = question.given == Given::width;
     if (const auto* stepping = std::get_if<Stepping>(&question.strategy)) {
         const auto loop = width ? min_lengths_by_stepping : min_widths_by_stepping;
@@ -142,59 +181,28 @@ std::vector<MinSlotRow> counts_inside(const std::vector<MinSlotRow>& rows, std::
     return turned;
 }
 
-std::string row_json(Given given, const MinSlotRow& row) {
-    Json json = {{"max_changes", row.max_changes}, {"width", nullptr}, {"length", nullptr}, {"entry_heading", nullptr}};
-    json[given == Given::width ? "width" : "length"] = row.given;
-    if (row.slot) {
-        json[given == Given::width ? "length" : "width"] = given == Given::width ? row.slot->length : row.slot->width;
-        json["entry_heading"] = row.slot->entry_heading;
-    }
-    std::string text = write(json);
-    text.pop_back();
-    return text;
-}
-
-std::string row_csv(Given given, const MinSlotRow& row) {
-    const std::string size = write(row.given);
-    const std::string found = !row.slot ? "" : write(given == Given::width ? row.slot->length : row.slot->width);
-    return std::to_string(row.max_changes) + ',' + (given == Given::width ? size + ',' + found : found + ',' + size) +
-           ',' + (row.slot ? write(row.slot->entry_heading) : "") + '\n';
-}
-
 /// The answer part by part, for it may be too long to hold.
 class Report {
 public:
-    Report(const Question& question, Format format, const std::string& path) : question_(question), format_(format) {
+    Report(const MinSlotQuestion& question, Format format, const std::string& path)
+        : question_(question), format_(format), json_(question) {
         if (!path.empty()) file_.emplace("--output", path);
-        switch (format) {
-            case Format::text: text_ = heading(); break;
-            case Format::csv: text_ = "max_changes,width,length,entry_heading\n"; break;
-            case Format::json: {
-                const Json json = {{"schema", 1},
-                                   {"car", as_json(question.car)},
-                                   {"strategy", to_string(question.strategy)},
-                                   {"rows", Json::array()}};
-                text_ = write(json);
-                const std::size_t rows = text_.rfind("[]");
-                end_ = text_.substr(rows + 1);
-                text_.resize(rows + 1);
-            }
-        }
+        if (format == Format::text) text_ = heading();
+        if (format == Format::json) text_ = json_.begin();
     }
 
     void add(const std::vector<MinSlotRow>& rows) {
         if (format_ == Format::text) text_ += min_slot_table(question_.given, rows, question_.max_changes.size());
         for (const MinSlotRow& row : rows) {
             any_ = any_ || row.slot;
-            if (format_ == Format::csv) text_ += row_csv(question_.given, row);
-            if (format_ == Format::json) text_ += (first_ ? "\n    " : ",\n    ") + row_json(question_.given, row);
-            first_ = false;
-            if (text_.size() > 1'000'000) flush();
+            if (format_ == Format::csv) add_csv(row);
+            if (format_ == Format::json) text_ += json_.row(row);
+            if (text_.size() + csv_.text().size() > 1'000'000) flush();
         }
     }
 
     int finish() {
-        if (format_ == Format::json) text_ += "\n  " + end_;
+        if (format_ == Format::json) text_ += json_.end();
         if (format_ == Format::text) text_ += "Rounded up to millimetres; - where no slot will do.\n";
         flush();
         if (file_) file_->finish();
@@ -210,7 +218,20 @@ private:
                (width ? "width" : "length") + " [m] and the most direction changes allowed\n\n";
     }
 
+    void add_csv(const MinSlotRow& row) {
+        const bool width = question_.given == Given::width;
+        std::optional<double> found;
+        std::optional<double> heading;
+        if (row.slot) {
+            found = width ? row.slot->length : row.slot->width;
+            heading = row.slot->entry_heading;
+        }
+        const std::optional<double> given = row.given;
+        csv_.row(row.max_changes, width ? given : found, width ? found : given, heading);
+    }
+
     void flush() {
+        if (format_ == Format::csv) text_ += csv_.take();
         if (file_) {
             file_->write(text_);
         } else {
@@ -219,16 +240,16 @@ private:
         text_.clear();
     }
 
-    const Question& question_;
+    const MinSlotQuestion& question_;
     Format format_;
     std::optional<FileInParts> file_;
+    MinSlotJson json_;
+    Csv csv_{"max_changes", "width", "length", "entry_heading"};
     std::string text_;  ///< not yet written
-    std::string end_;   ///< of the JSON
-    bool first_ = true;
     bool any_ = false;  ///< some row has an answer
 };
 
-int answer_all(const Question& question, Format format, const std::string& path) {
+int answer_all(const MinSlotQuestion& question, Format format, const std::string& path) {
     const std::size_t count = question.max_changes.size();
     const double points = static_cast<double>(count) * static_cast<double>(question.sizes.size());
     if (points >= many_points) {
@@ -258,7 +279,7 @@ int answer_all(const Question& question, Format format, const std::string& path)
     return report.finish();
 }
 
-int answer_one(Question question, double length, double width, Format format, const std::string& path) {
+int answer_one(MinSlotQuestion question, double length, double width, Format format, const std::string& path) {
     const OneSlot one = one_slot(question.car, length, width, question.options);
     if (format == Format::text) {
         put_out(path, one_slot_text(one));
@@ -271,25 +292,14 @@ int answer_one(Question question, double length, double width, Format format, co
     return one.changes ? solved : cannot_park;
 }
 
-Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+std::string fewest_csv(const std::vector<FewestLengthRow>& rows) {
+    Csv csv({"max_changes", "width", "length", "length_lower"});
+    for (const FewestLengthRow& row : rows)
+        csv.row(row.max_changes, row.width, row.found.length, row.found.length_lower);
+    return csv.text();
+}
 
-std::string fewest_written(const Car& car, const std::vector<FewestLengthRow>& rows, Format format) {
-    if (format == Format::json) {
-        Json json = {{"schema", 1}, {"car", as_json(car)}, {"strategy", "fewest"}, {"rows", Json::array()}};
-        for (const FewestLengthRow& row : rows)
-            json["rows"].push_back({{"max_changes", row.max_changes},
-                                    {"width", row.width},
-                                    {"length", number_or_null(row.found.length)},
-                                    {"length_lower", row.found.length_lower}});
-        return write(json);
-    }
-    if (format == Format::csv) {
-        std::string text = "max_changes,width,length,length_lower\n";
-        for (const FewestLengthRow& row : rows)
-            text += std::to_string(row.max_changes) + ',' + write(row.width) + ',' +
-                    (row.found.length ? write(*row.found.length) : "") + ',' + write(row.found.length_lower) + '\n';
-        return text;
-    }
+std::string fewest_text(const Car& car, const std::vector<FewestLengthRow>& rows) {
     const auto up = [](double length) { return fixed(std::ceil(length * 1e3 - 1e-6) / 1e3, 3); };
     const auto down = [](double length) { return fixed(std::floor(length * 1e3 + 1e-6) / 1e3, 3); };
     std::vector<std::vector<std::string>> lines = {{"width", "changes", "impossible below", "parks in"}};
@@ -302,23 +312,35 @@ std::string fewest_written(const Car& car, const std::vector<FewestLengthRow>& r
            table(lines, "rrrr");
 }
 
+std::string fewest_written(const Car& car, const std::vector<FewestLengthRow>& rows, Format format) {
+    switch (format) {
+        case Format::json: return min_slot_json(car, rows);
+        case Format::csv: return fewest_csv(rows);
+        case Format::text: break;
+    }
+    return fewest_text(car, rows);
+}
+
 /// --strategy fewest: two lengths for each width and count.
-Action fewest_action(const Options& options, const Question& question) {
-    if (question.given == Given::length)
+Action fewest_action(const Asked& asked, const MinSlotQuestion& question) {
+    if (asked.lengths || asked.extra_lengths)
         throw Error("--strategy: fewest finds lengths; give --width or --extra-width, and no lengths");
-    FewestLengthOptions asked;
-    asked.driving.clearance = question.options.driving.clearance;
-    asked.driving.enter = question.options.driving.enter;
-    asked.longest = question.options.longest;
-    asked.resolution = options.number("--resolution", 0.0, 1e-9, longest, " m");
-    return [question, asked, sizes = sizes(options, "width", question.car.width()), most = counts(options),
-            chosen = format(options), path = output(options)] {
+    if (asked.min_range)
+        throw Error(asked.min_range.name() +
+                    " asks for headings, but fewest has none; leave it out or change --strategy");
+    FewestLengthOptions options;
+    options.driving = question.options.driving;
+    options.parked = question.options.parked;
+    options.longest = question.options.longest;
+    options.resolution = asked.resolution.value_or(0.0);
+    return [question, options, sizes = widths(asked, question.car), most = counts(asked),
+            format = asked.output.format(), path = asked.output.path()] {
         SweepOptions sweep;
         sweep.threads = question.threads;
         sweep.progress = show_progress();
-        const std::vector<FewestLengthRow> rows = min_lengths_fewest(question.car, sizes, most, asked, sweep);
+        const std::vector<FewestLengthRow> rows = min_lengths_fewest(question.car, sizes, most, options, sweep);
         if (sweep.progress) wipe_progress();
-        put_out(path, fewest_written(question.car, rows, chosen));
+        put_out(path, fewest_written(question.car, rows, format));
         const bool any = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.found.length; });
         return any ? solved : cannot_park;
     };
@@ -328,69 +350,34 @@ Action fewest_action(const Options& options, const Question& question) {
 
 Action parse_min_slot(const Arguments& arguments) {
     Options options("snug min-slot", purpose, examples);
-    add_car(options);
-    options.group("Slot");
-    options.add("--max-changes", "LIST", "Direction changes allowed, one or several.");
-    options.add("--width", "RANGE", "Widths to find the shortest slot for [m].");
-    options.add("--length", "RANGE", "Lengths to find the narrowest slot for [m].");
-    options.add("--extra-width", "RANGE", "Widths beyond the car's [m].");
-    options.add("--extra-length", "RANGE", "Lengths beyond the car's [m].");
-    options.add("--max-length", "M", "No longer slots [m] (4 m more than the car's length).");
-    options.add("--min-range", "RAD", "Entry headings must hold a stretch that wide [rad]\n(0).");
-    add_driving(options);
-    options.group("Strategy");
-    options.add("--strategy", "NAME",
-                "max-steer (default): exactly; fewest: over all\nmaneuvers, between two proved lengths; stepping: the\n"
-                "paper's loop over slots, for comparison.");
-    options.add("--resolution", "M", "fewest: finest lattice [m] (a two-thousandth of the\ncar's length).");
-    options.add("--length-step", "M", "stepping: between the lengths tried [m] (0.01).");
-    options.add("--width-step", "M", "stepping: between the widths tried [m] (0.01).");
-    options.add("--step", "M", "stepping: path of one step [m] (0.001).");
-    options.add("--heading-step", "RAD", "stepping: between entry headings [rad] (0.0001).");
-    options.add("--stop", "WHEN",
-                "stepping: looks whether the car is parked on\ncontact (default), or after every step: inside.");
-    add_output(options);
-    add_threads(options);
+    const Asked asked(options);
     if (!options.read(arguments)) return say(options.help());
-
-    Question question{car(options), Given::width, {}, {}, {}, MaxSteer{}};
-    const Car& the_car = question.car;
-    const bool width = is_typed(options, "width");
-    const bool length = is_typed(options, "length");
-    if (!width && !length) {
+    const Planner planner = asked.planner.value_or(Planner::max_steer);
+    const bool width = asked.widths || asked.extra_widths;
+    const bool length = asked.lengths || asked.extra_lengths;
+    MinSlotQuestion question = understood(asked, planner, width ? Given::width : Given::length);
+    if (!width && !length)
         throw Error("--width is missing; give --width or --extra-width, or --length or --extra-length, in metres");
-    }
-    question.given = width ? Given::width : Given::length;
-    question.options = min_slot_options(options, the_car);
-    if (options.typed("--threads") != nullptr) question.threads = threads(options);
-    set_strategy(options, question);
-    if (const std::string* name = options.typed("--strategy"); name != nullptr && *name == "fewest") {
-        if (width && length) throw Error("--strategy: fewest finds lengths; leave out --length");
-        if (options.typed("--min-range") != nullptr)
-            throw Error("--min-range asks for headings, but fewest has none; leave it out or change --strategy");
-        return fewest_action(options, question);
-    }
-    const Format chosen = format(options);
+    if (planner == Planner::fewest) return fewest_action(asked, question);
+    const Format format = asked.output.format();
     if (width && length) {
-        if (options.typed("--max-changes") != nullptr) {
+        if (asked.max_changes)
             throw Error("--length and --width are both given, and --max-changes; leave out one of the three");
-        }
-        if (!std::holds_alternative<MaxSteer>(question.strategy)) {
+        if (planner != Planner::max_steer)
             throw Error(
                 "--strategy: one slot is answered for max-steer only; leave it out, or give --max-changes and "
                 "either lengths or widths");
-        }
-        return [question, slot_length = one_size(options, "length", the_car.length()),
-                slot_width = one_size(options, "width", the_car.width()), chosen,
-                path = output(options)] { return answer_one(question, slot_length, slot_width, chosen, path); };
+        return [question, slot_length = one_size(lengths(asked, question.car), "length"),
+                slot_width = one_size(widths(asked, question.car), "width"), format,
+                path = asked.output.path()] { return answer_one(question, slot_length, slot_width, format, path); };
     }
-    if (length && options.typed("--max-length") != nullptr) {
-        throw Error("--max-length belongs to --width; leave it out where the length is given");
-    }
-    question.max_changes = counts(options);
-    question.sizes = width ? sizes(options, "width", the_car.width()) : sizes(options, "length", the_car.length());
-    return
-        [question = std::move(question), chosen, path = output(options)] { return answer_all(question, chosen, path); };
+    if (length && asked.max_length)
+        throw Error(asked.max_length.name() + " belongs to --width; leave it out where the length is given");
+    question.max_changes = counts(asked);
+    question.sizes = width ? widths(asked, question.car) : lengths(asked, question.car);
+    return [question = std::move(question), format, path = asked.output.path()] {
+        return answer_all(question, format, path);
+    };
 }
 
 }  // namespace snug::cli

@@ -10,10 +10,19 @@
 
 namespace snug::cli {
 
-inline constexpr double shortest = 1e-6;  ///< what a Slot accepts [m]
-
 /// Which of the slot's dimensions is given; the other is sought.
 enum class Given { width, length };
+
+struct MinSlotQuestion {
+    Car car;
+    Given given = Given::width;
+    std::vector<double> sizes;  ///< the widths or lengths given
+    std::vector<int> max_changes;
+    MinSlotOptions options;
+    Strategy strategy = MaxSteer{};
+    double step = 0.01;  ///< of the paper's loop [m]
+    int threads = 0;
+};
 
 /// The minimum slots for some given widths (or lengths), counts inside, as a table with a column for every count. At most
 /// 80 columns.

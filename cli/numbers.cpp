@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "model/check.hpp"
-#include "model/spelling.hpp"
+#include "sentences/check.hpp"
+#include "sentences/spelling.hpp"
 
 namespace snug::cli {
 namespace {

@@ -3,16 +3,16 @@
 #include <cmath>
 
 #include "cli/min_slot.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::cli {
 namespace {
 
-constexpr int most_changes = 200;
 constexpr double millimetre = 1e-3;
 
 /// The fewest direction changes for a slot.
 std::optional<int> fewest(const Car& car, double length, double width, const MinSlotOptions& like) {
-    if (length < shortest || width < shortest) return std::nullopt;
+    if (length < limits::shortest || width < limits::shortest) return std::nullopt;
     EntryOptions options;
     options.min_range = like.min_range;
     options.driving = like.driving;
@@ -23,10 +23,14 @@ std::optional<int> fewest(const Car& car, double length, double width, const Min
 }  // namespace
 
 OneSlot one_slot(const Car& car, double length, double width, const MinSlotOptions& options) {
-    OneSlot one{car,          length,
-                width,        fewest(car, length, width, options),
-                most_changes, shortfall(car, Slot({.length = length, .width = width}), options.driving.clearance),
-                {},           {}};
+    OneSlot one{car,
+                length,
+                width,
+                fewest(car, length, width, options),
+                limits::usual_changes,
+                shortfall(car, Slot({.length = length, .width = width}), options.driving.clearance),
+                {},
+                {}};
     for (const bool vary_length : {true, false}) {
         const double size = vary_length ? length : width;
         const auto least = [&](int changes) {

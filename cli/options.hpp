@@ -1,72 +1,96 @@
-// The options that subcommands share: their names, their help and what they mean, each in one place.
+// The options of a subcommand: each is declared once, with its help and what may be typed, and read into a typed value.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <map>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "snug/entry.hpp"
-#include "snug/fewest.hpp"
+#include "cli/numbers.hpp"
 
 namespace snug::cli {
 
-enum class Format { text, json, csv };
+/// What was typed after an option, understood; nothing when it was not given. Only a declaration makes one, so an option that
+/// was never declared cannot be read.
+template <class Value>
+class Option {
+public:
+    [[nodiscard]] const std::string& name() const { return typed_->name; }  ///< as in "--car"
+    explicit operator bool() const { return typed_->value.has_value(); }
+    const Value& operator*() const { return *typed_->value; }
+    const Value* operator->() const { return &*typed_->value; }
+    [[nodiscard]] Value value_or(Value otherwise) const { return typed_->value.value_or(std::move(otherwise)); }
 
-/// The options of one subcommand: declared with their help, read once, then asked for their values, which are checked
-/// only then. Whatever is wrong is an Error that begins with the option.
+private:
+    friend class Options;
+    struct Typed {
+        std::string name;
+        std::optional<Value> value;
+    };
+    explicit Option(std::string name) : typed_(std::make_shared<Typed>(Typed{std::move(name), {}})) {}
+    std::shared_ptr<Typed> typed_;  ///< shared with the Options that will read it
+};
+
+/// A word that may be typed, and what it stands for.
+template <class Value>
+using Word = std::pair<const char*, Value>;
+
+/// The options of one subcommand. Whatever is wrong with what was typed is an Error that begins with the option.
 class Options {
 public:
     /// `examples` ends the help text.
     Options(const std::string& command, const std::string& purpose, const std::string& examples);
+    ~Options();
+    Options(const Options&) = delete;
+    Options& operator=(const Options&) = delete;
 
-    void add(const std::string& names, const std::string& value, const std::string& help);
-    void add_argument(const std::string& name, const std::string& help);
-    void group(const std::string& title) { group_ = title; }
+    /// The heading in the help text of the options that follow.
+    Options& group(const std::string& title);
 
-    /// False when help is wanted instead. Throws Error when an option is unknown, twice there or without a value.
+    // Each declares an option: its names ("-o,--output"), what its value is called in the help text, and the help.
+    Option<std::string> text(const std::string& names, const std::string& value, const std::string& help);
+    Option<double> number(const std::string& names, const std::string& value, const std::string& help,
+                          const Quantity& quantity);
+    Option<int> whole_number(const std::string& names, const std::string& value, const std::string& help, int low,
+                             int high);
+    Option<std::vector<double>> numbers(const std::string& names, const std::string& value, const std::string& help,
+                                        const Quantity& quantity);
+    template <class Value>
+    Option<Value> choice(const std::string& names, const std::string& value, const std::string& help,
+                         const std::vector<Word<Value>>& words) {
+        return declared<Value>(names, value, help, [words](const std::string& option, const std::string& typed) {
+            std::vector<std::string> known;
+            for (const Word<Value>& word : words) known.emplace_back(word.first);
+            return words[cli::choice(option, typed, known)].second;
+        });
+    }
+    /// A value that `understand` makes of the option's name and what was typed.
+    template <class Value, class Understand>
+    Option<Value> declared(const std::string& names, const std::string& value, const std::string& help,
+                           const Understand& understand) {
+        Option<Value> option(long_name(names));
+        declare(names, value, help, [typed = option.typed_, understand](const std::string& text) {
+            typed->value = understand(typed->name, text);
+        });
+        return option;
+    }
+    /// What stands alone, without a name before it.
+    Option<std::string> argument(const std::string& name, const std::string& help);
+
+    /// False when help is wanted instead. Throws Error when an option is unknown, twice there, without a value, or its value is
+    /// none of those it may have.
     [[nodiscard]] bool read(const std::vector<std::string>& arguments);
     [[nodiscard]] std::string help() const;
 
-    /// What was typed after an option, named as in "--car"; null when it was not given.
-    [[nodiscard]] const std::string* typed(const std::string& option) const;
-
-    [[nodiscard]] double number(const std::string& option, double otherwise, double low, double high,
-                                std::string_view unit) const;
-    [[nodiscard]] std::size_t choice(const std::string& option, const std::vector<std::string>& words) const;
-
 private:
-    CLI::App app_;
-    std::string group_;
-    std::map<std::string, std::string> typed_;
+    using Take = std::function<void(const std::string& typed)>;
+    static std::string long_name(const std::string& names) { return names.substr(names.find("--")); }
+    void declare(const std::string& names, const std::string& value, const std::string& help, Take take);
+
+    struct Parser;
+    std::unique_ptr<Parser> parser_;
 };
-
-// Each declares its options, in a group of their own.
-void add_car(Options& options);
-void add_slot(Options& options);
-void add_driving(Options& options);   // clearance, enter
-void add_strategy(Options& options);  // strategy and its steps
-void add_fewest(Options& options);    // what the search over all maneuvers is limited to
-void add_output(Options& options, const std::string& formats = "text (default), json or csv.");  // format, output
-void add_threads(Options& options);
-
-// Each answers with the checked values.
-Car car(const Options& options);
-Slot slot(const Options& options, const Car& car);
-double clearance(const Options& options);
-Enter enter(const Options& options);
-Strategy strategy(const Options& options);  // max-steer for --strategy fewest, which is no strategy of entry()
-FewestOptions fewest_options(const Options& options);
-Format format(const Options& options);
-int threads(const Options& options);
-
-/// How the command ends with that answer.
-int exit_code(const Answer& answer);
-
-/// The file of `-o`, which can be written as far as one can tell before the work; empty for standard output.
-std::string output(const Options& options);
-
-/// The catalogue's car of that name, or the car in that file. Throws Error.
-Car find_or_read_car(const std::string& name_or_file);
 
 }  // namespace snug::cli

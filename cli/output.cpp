@@ -7,16 +7,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <climits>
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <system_error>
 #include <utility>
 
-#include "model/spelling.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 
 namespace snug::cli {
@@ -153,6 +155,12 @@ void check_writable(const std::string& option, const std::string& path) {
     if (error != 0) {
         throw cannot_write(option, path, error);
     }
+}
+
+bool ends_with(std::string_view path, std::string_view ending) {
+    return path.size() > ending.size() &&
+           std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
+                      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
 FileInParts::FileInParts(const std::string& option, const std::string& path) : option_(option), path_(path) {

@@ -19,6 +19,9 @@ void complain(std::string_view text);
 /// Throws Error, beginning with the option, when a file cannot be written there: said before the work, not after it.
 void check_writable(const std::string& option, const std::string& path);
 
+/// Whether a file's name ends so (".csv"), in capitals or not, with something before it.
+bool ends_with(std::string_view path, std::string_view ending);
+
 /// A file written in parts: a temporary file next to `path` that takes its name when it is complete; devices and pipes are
 /// written directly. Whatever fails throws Error, beginning with the option, and leaves nothing behind. One at a time.
 class FileInParts {

@@ -5,11 +5,11 @@
 #include <system_error>
 
 #include "cli/command.hpp"
-#include "cli/options.hpp"
+#include "cli/groups.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "model/spelling.hpp"
 #include "paper/paper.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 
 namespace snug::cli {
@@ -45,14 +45,13 @@ void prepare_folder(const std::string& folder) {
 
 Action parse_paper(const Arguments& arguments) {
     Options options("snug paper", purpose, examples);
-    options.group("Output");
-    options.add("--out", "DIR", "The folder for the files, made if it is missing\n(snug-paper).");
-    add_threads(options);
+    const Option<std::string> out =
+        options.group("Output").text("--out", "DIR", "The folder for the files, made if it is missing\n(snug-paper).");
+    const Option<int> threads = threads_option(options);
     if (!options.read(arguments)) return say(options.help());
-    const std::string* typed = options.typed("--out");
-    const std::string folder = typed == nullptr ? "snug-paper" : *typed;
+    const std::string folder = out.value_or("snug-paper");
     paper::Options paper_options;
-    if (options.typed("--threads") != nullptr) paper_options.threads = threads(options);
+    if (threads) paper_options.threads = *threads;
     return [folder, paper_options]() mutable {
         prepare_folder(folder);
         paper_options.progress = show_progress();

@@ -13,7 +13,4 @@ std::string table(const std::vector<std::vector<std::string>>& rows, const std::
 /// "1.250"; never "-0.000".
 std::string fixed(double value, int decimals);
 
-/// A field of a CSV row, quoted where it has to be.
-std::string csv_field(const std::string& text);
-
 }  // namespace snug::cli

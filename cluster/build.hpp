@@ -2,15 +2,15 @@
 // by batch, to whoever asks; all of them solve.
 #pragma once
 
-#include "cluster/mail.hpp"
+#include "cluster/messages.hpp"
 #include "snug/atlas_database.hpp"
 
 namespace snug::cluster {
 
-/// What the first process has of the others.
-class Crew {
+/// The first process, as it deals with the others.
+class Coordinator {
 public:
-    explicit Crew(Mail& mail) : mail_(mail) {}
+    explicit Coordinator(Messages& messages) : messages_(messages) {}
 
     /// As build_atlas(), with everybody's help. Throws also what went wrong with the others.
     bool build(AtlasBuild& build, const AtlasBuildOptions& options);
@@ -18,13 +18,13 @@ public:
     void dismiss(int exit_code);
 
 private:
-    void tell_all(Subject subject, const std::string& text = {});
+    void tell_all(MessageKind kind, const std::string& text = {});
 
-    Mail& mail_;
+    Messages& messages_;
     int working_ = 0;  ///< that have been given a task and have not reported back
 };
 
 /// What every other process does: solves what it is given until it is dismissed; returns the exit code it is told.
-int serve(Mail& mail);
+int serve(Messages& messages);
 
 }  // namespace snug::cluster

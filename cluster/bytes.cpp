@@ -4,8 +4,9 @@
 #include <cstring>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
-#include "model/spelling.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/version.hpp"
 
@@ -99,13 +100,21 @@ void write(Writer& to, const Car& car) {
     to.text(car.name());
     const CarDimensions& d = car.dimensions();
     for (const double value : {d.width, d.front, d.rear, d.wheelbase, d.max_steer}) to.number(value);
+    const std::vector<Point> corners = car.is_rectangle() ? std::vector<Point>{} : car.outline().corners();
+    to.count(corners.size());
+    for (const Point& corner : corners) {
+        to.number(corner.x);
+        to.number(corner.y);
+    }
 }
 
 Car read_car(Reader& from) {
     const std::string name = from.text();
     CarDimensions d;
     for (double* value : {&d.width, &d.front, &d.rear, &d.wheelbase, &d.max_steer}) *value = from.real();
-    return Car(d, name);
+    std::vector<Point> corners(from.count(2 * sizeof(double)));
+    for (Point& corner : corners) corner = {from.real(), from.real()};
+    return corners.empty() ? Car(d, name) : Car(Outline(corners), d.wheelbase, d.max_steer, name);
 }
 
 void write(Writer& to, const AtlasOptions& options) {
@@ -177,7 +186,7 @@ AtlasMove read_move(Reader& from) {
     move.steering_angle = from.real();
     move.length = from.real();
     if (from.flag()) {
-        const auto part = CarPart{from.choice(0, static_cast<int>(CarPart::right_edge))};
+        const auto part = CarPart{from.choice(0, static_cast<int>(CarPart::front_right_wheel))};
         const auto obstacle = Obstacle{from.choice(0, static_cast<int>(Obstacle::rear_corner))};
         move.contact = Contact{part, obstacle};
     }

@@ -10,23 +10,23 @@
 namespace snug::cluster {
 namespace {
 
-int lead(Mail& mail, const cli::Arguments& words) {
-    Crew crew(mail);
+int lead(Messages& messages, const cli::Arguments& words) {
+    Coordinator coordinator(messages);
     const int exit_code = cli::answered("snug atlas: ", [&] {
         if (words.size() < 2 || words[0] != "atlas" || words[1] != "build")
             throw Error("snug-mpi builds atlases only; write atlas build and its options, or use snug");
         return cli::parse_atlas_build(
             {words.begin() + 2, words.end()},
-            [&](AtlasBuild& build, const AtlasBuildOptions& options) { return crew.build(build, options); })();
+            [&](AtlasBuild& build, const AtlasBuildOptions& options) { return coordinator.build(build, options); })();
     });
-    crew.dismiss(exit_code);
+    coordinator.dismiss(exit_code);
     return exit_code;
 }
 
 /// mpirun hands every signal to all processes: the first decides what becomes of it, and those it needs must stay.
-int follow(Mail& mail) {
+int follow(Messages& messages) {
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_IGN);
-    return serve(mail);
+    return serve(messages);
 }
 
 }  // namespace
@@ -35,6 +35,6 @@ int follow(Mail& mail) {
 int main(int count, char** words) {
     using namespace snug::cluster;
     snug::cli::prepare_process();
-    Mail mail;
-    return mail.number() == 0 ? lead(mail, {words + (count > 0 ? 1 : 0), words + count}) : follow(mail);
+    Messages messages;
+    return messages.number() == 0 ? lead(messages, {words + (count > 0 ? 1 : 0), words + count}) : follow(messages);
 }

@@ -23,17 +23,16 @@ constexpr double caption_height = 40.0;
 constexpr double scale_height = 128.0;
 constexpr double lone_scale_height = 62.0;  ///< with nothing to enlarge
 
-/// Headings from parallel to the largest possible, evenly spread, and where they stop being possible.
-std::vector<double> possible_headings(const Car& car, const Slot& slot, double clearance) {
-    constexpr int samples = 4000;
-    std::vector<double> possible;
-    for (int i = 0; i <= samples; ++i) {
-        const double heading = std::numbers::pi / 2 * i / samples;
-        if (is_possible_entry(car, slot, heading, clearance)) {
-            possible.push_back(heading);
-        }
+/// The headings that are possible, evenly spread; the parallel one where none is.
+std::vector<double> spread_headings(const Car& car, const Slot& slot, const Driving& driving) {
+    constexpr double spacing = std::numbers::pi / 8000;
+    std::vector<double> spread;
+    for (const Headings& range : possible_headings(car, slot, driving)) {
+        for (double heading = range.min; heading < range.max; heading += spacing) spread.push_back(heading);
+        spread.push_back(range.max);
     }
-    return possible;
+    if (spread.empty()) spread.push_back(0.0);
+    return spread;
 }
 
 std::vector<double> picked(const std::vector<double>& all, std::size_t most) {
@@ -160,13 +159,13 @@ std::string headline_of(const Car& car, const Slot& slot, const Answer& answer, 
 std::string draw_entries(const Car& car, const Slot& slot, const Answer& answer, PictureFormat format,
                          const PictureOptions& options) {
     using namespace drawing;
-    const std::vector<double> possible = possible_headings(car, slot, options.driving.clearance);
+    const std::vector<double> possible = spread_headings(car, slot, options.driving);
     const std::vector<double> found = found_headings(answer.ranges);
     const auto entries_at = [&](const std::vector<double>& headings) {
         std::vector<Pose> poses;
         poses.reserve(headings.size());
         for (const double heading : headings) {
-            poses.push_back(entry_position(car, slot, heading, options));
+            poses.push_back(entry_position(car, slot, heading, options.driving));
         }
         return poses;
     };

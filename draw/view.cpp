@@ -10,22 +10,16 @@ namespace {
 constexpr double above = 26.0;  // room on the page above what is needed
 constexpr double below = 66.0;  // and below the curb, for numbers and dimensions
 
-/// A corner or the middle of an edge of the car frame, grown by the clearance, in the car's own frame.
-Point part_of(const Car& car, CarPart part, double clearance) {
-    const double front = car.front() + clearance;
-    const double rear = -car.rear() - clearance;
-    const double left = car.width() / 2 + clearance;
-    switch (part) {
-        case CarPart::front_left_corner: return {front, left};
-        case CarPart::rear_left_corner: return {rear, left};
-        case CarPart::rear_right_corner: return {rear, -left};
-        case CarPart::front_right_corner: return {front, -left};
-        case CarPart::front_edge: return {front, 0.0};
-        case CarPart::left_edge: return {(front + rear) / 2, left};
-        case CarPart::rear_edge: return {rear, 0.0};
-        case CarPart::right_edge: return {(front + rear) / 2, -left};
-    }
-    return {};
+/// The corner or the middle of the edge that touches, grown by the clearance, in the car's own frame.
+Point part_of(const Car& car, const Contact& contact, double clearance) {
+    const bool wheel = to_string(contact.part).find("wheel") != std::string_view::npos;
+    const bool edge = to_string(contact.part).find("edge") != std::string_view::npos;
+    const Outline outline = (wheel ? car.wheels() : car.outline()).grown(clearance);
+    const std::vector<Point>& corners = outline.corners();
+    const Point& from = corners[contact.part_index % corners.size()];
+    if (!edge) return from;
+    const Point& to = corners[(contact.part_index + 1) % corners.size()];
+    return {(from.x + to.x) / 2, (from.y + to.y) / 2};
 }
 
 Point in_world(const Pose& pose, const Point& in_car) {
@@ -83,27 +77,6 @@ cairo_matrix_t placed(const View& view, const Slot& slot, const Pose& pose) {
     return matrix;
 }
 
-Pose entry_position(const Car& car, const Slot& slot, double heading, const PictureOptions& options) {
-    // Entering nose first is the mirror image of entering tail first: the other end of the car at the other corner.
-    const bool nose_first = options.driving.enter == Enter::forward;
-    const double reach = (nose_first ? car.rear() : car.front()) + options.driving.clearance;
-    const double side = car.width() / 2 + options.driving.clearance;
-    const double x = -reach * std::cos(heading) - side * std::sin(heading);
-    const double y = -reach * std::sin(heading) + side * std::cos(heading);
-    return slot.to_world(nose_first ? Pose{-slot.length() - x, y, -heading} : Pose{x, y, heading});
-}
-
-bool is_possible_entry(const Car& car, const Slot& slot, double heading, double clearance) {
-    const double length = car.length() + 2 * clearance;
-    const double width = car.width() + 2 * clearance;
-    const double c = std::cos(heading);
-    const double s = std::sin(heading);
-    const bool clear_of_curb = length * s <= slot.width();
-    const bool short_of_neighbour = length * c + width * s <= slot.length();
-    const bool above_neighbour = slot.length() * c >= length;
-    return heading == 0.0 || (clear_of_curb && (short_of_neighbour || above_neighbour));
-}
-
 Box box_of(const Car& car, const Slot& slot, const Pose& pose) {
     const auto corners = frame(car, pose);
     const Point first = slot.to_slot(corners[0]);
@@ -132,12 +105,12 @@ std::vector<Point> path_of(const View& view, const Car& car, const Slot& slot, c
 
 Point contact_point(const View& view, const Car& car, const Slot& slot, const Move& move, double clearance) {
     if (move.contact->obstacle == Obstacle::front_corner) {
-        return view({0.0, 0.0});
+        return view({0.0, -slot.front_setback()});
     }
     if (move.contact->obstacle == Obstacle::rear_corner) {
-        return view({-slot.length(), 0.0});
+        return view({-slot.length(), -slot.rear_setback()});
     }
-    return on_page(view, slot, move.end, part_of(car, move.contact->part, clearance));
+    return on_page(view, slot, move.end, part_of(car, *move.contact, clearance));
 }
 
 }  // namespace snug::drawing

@@ -40,11 +40,6 @@ cairo_matrix_t placed(const View& view, const Slot& slot, const Pose& pose);
 /// A point of the car's own frame on the page.
 Point on_page(const View& view, const Slot& slot, const Pose& pose, const Point& in_car);
 
-/// Where the car stands in the world with its corner on the slot's corner: the paper's possible entry position.
-Pose entry_position(const Car& car, const Slot& slot, double heading, const PictureOptions& options);
-/// Whether the frame there is clear of curb and neighbours.
-bool is_possible_entry(const Car& car, const Slot& slot, double heading, double clearance);
-
 /// The box around the car frame at a pose, in the slot frame.
 Box box_of(const Car& car, const Slot& slot, const Pose& pose);
 Box joined(const Box& a, const Box& b);

@@ -1,8 +1,10 @@
 // Cars, slots, maneuvers and answers as JSON objects, key by key as documented.
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "io/conditions.hpp"
 #include "snug/io.hpp"
 
 namespace snug {
@@ -23,15 +25,34 @@ Json as_json(const Car& car) {
     json["rear"] = car.rear();
     json["wheelbase"] = car.wheelbase();
     json["max_steer"] = car.max_steer();
+    if (!car.is_rectangle()) {
+        Json& outline = json["outline"] = Json::array();
+        for (const Point& corner : car.outline().corners()) outline.push_back(Json::array({corner.x, corner.y}));
+    }
     return json;
 }
 
 Json as_json(const Slot& slot) {
-    return {{"length", slot.length()},
-            {"width", slot.width()},
-            {"side", slot.side() == Side::right ? "right" : "left"},
-            {"corner", Json::array({slot.corner().x, slot.corner().y})},
-            {"heading", slot.heading()}};
+    Json json = {{"length", slot.length()},
+                 {"width", slot.width()},
+                 {"side", slot.side() == Side::right ? "right" : "left"},
+                 {"corner", Json::array({slot.corner().x, slot.corner().y})},
+                 {"heading", slot.heading()}};
+    if (slot.front_setback() > 0.0) json["front_setback"] = slot.front_setback();
+    if (slot.rear_setback() > 0.0) json["rear_setback"] = slot.rear_setback();
+    if (slot.curb() == Curb::low) json["curb"] = "low";
+    return json;
+}
+
+void add_conditions(Json& json, const Driving& driving, const Parked& parked) {
+    if (driving != Driving{}) {
+        Json& how = json["driving"] = {{"enter", to_string(driving.enter)}, {"clearance", driving.clearance}};
+        if (driving.curb_clearance) how["curb_clearance"] = *driving.curb_clearance;
+    }
+    if (parked == Parked{}) return;
+    Json& what = json["parked"] = Json::object();
+    if (std::isfinite(parked.heading)) what["heading"] = parked.heading;
+    if (std::isfinite(parked.curb)) what["curb"] = parked.curb;
 }
 
 Json as_json(const Pose& pose) { return {{"x", pose.x}, {"y", pose.y}, {"heading", pose.heading}}; }
@@ -60,7 +81,8 @@ Json as_json(const Move& move) {
 Json as_json(const Maneuver& maneuver) {
     Json moves = Json::array();
     for (const Move& move : maneuver.moves) {
-        moves.push_back(as_json(move));
+        Json& one = moves.emplace_back(as_json(move));
+        if (move.contact && !maneuver.car.is_rectangle()) one["contact"]["index"] = move.contact->part_index;
     }
     return {{"direction_changes", maneuver.direction_changes()},
             {"length", maneuver.length()},
@@ -75,11 +97,12 @@ Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, cons
                  {"car", as_json(car)},
                  {"slot", as_json(slot)},
                  {"strategy", to_string(options.strategy)},
-                 {"max_changes", nullptr},
-                 {"parkable", nullptr}};
+                 {"max_changes", nullptr}};
     if (options.max_changes) {
         json["max_changes"] = *options.max_changes;
     }
+    add_conditions(json, options.driving, options.parked);
+    json["parkable"] = nullptr;
     if (!answer.cancelled) {
         json["parkable"] = answer.parkable();
     }

@@ -1,12 +1,12 @@
 // A car from a JSON file: read as a flat list of keys and values, so nothing nested, doubled or unknown slips through.
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "car_file.hpp"
-#include "model/spelling.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
 
@@ -18,36 +18,57 @@ constexpr std::size_t largest_file = 1'000'000;  // [bytes]
 /// The keys and values of a car file, taken event by event from the JSON parser.
 struct CarFile {
     std::string_view text;
-    std::map<std::string, double> numbers;
+    CarDescription car;
     std::optional<std::string> name;
     std::optional<std::string> open_key;  // its value is still to come; empty before and after the object
     bool in_object = false;
+    int list_depth = 0;              // in the outline: 1 in the list of points, 2 in a point
+    std::vector<double> point;       // of the outline, as far as it is read
+    bool in_radius = false;          // in the object after corner_radius
+    std::optional<double> radii[2];  // in front and behind
+    std::string radius_key;
 
     bool start_object(std::size_t) {
-        if (in_object) {
-            wrong_type("an object");
+        if (in_object && open_key == "corner_radius" && !in_radius && list_depth == 0) {
+            in_radius = true;
+            return true;
         }
+        if (in_object) wrong_type("an object");
         in_object = true;
         return true;
     }
-    bool end_object() { return true; }
+    bool end_object() {
+        if (!in_radius) return true;
+        if (!radii[0] || !radii[1])
+            throw Error(quoted_key() +
+                        " needs both \"front\" and \"rear\" [m]; give them, or one number for all corners");
+        car.corner_radius = CornerRadius{*radii[0], *radii[1]};
+        in_radius = false;
+        return true;
+    }
 
     bool key(const std::string& word) {
-        std::vector<std::string> known;
-        for (const NamedLength& length : car_lengths) {
-            known.emplace_back(length.name);
-        }
+        if (in_radius) return key_of_radius(word);
+        std::vector<std::string> known = car_lengths;
         known.insert(known.end(), steerings.begin(), steerings.end());
-        known.emplace_back("name");
+        known.insert(known.end(), {"outline", "corner_radius", "name"});
         if (std::find(known.begin(), known.end(), word) == known.end()) {
             std::optional<std::string> nearest = nearest_word(word, known);
             if (nearest) nearest = in_quotes(*nearest);
             throw Error("unknown key " + in_quotes(word) + "; " + did_you_mean(nearest, "write " + either(known)));
         }
-        if (numbers.count(word) != 0 || (word == "name" && name)) {
+        if (car.has(word) || (word == "name" && name) || (word == "outline" && car.outline) ||
+            (word == "corner_radius" && car.corner_radius))
             throw Error("key \"" + word + "\" is given twice; give it once");
-        }
         open_key = word;
+        return true;
+    }
+    bool key_of_radius(const std::string& word) {
+        if (word != "front" && word != "rear")
+            throw Error("unknown key " + in_quotes(word) + " in \"corner_radius\"; write front and rear");
+        if (radii[word == "rear" ? 1 : 0])
+            throw Error("key \"" + word + "\" is given twice in \"corner_radius\"; give it once");
+        radius_key = word;
         return true;
     }
 
@@ -55,34 +76,59 @@ struct CarFile {
     bool number_unsigned(std::uint64_t value) { return number(static_cast<double>(value)); }
     bool number_float(double value, const std::string&) { return number(value); }
     bool number(double value) {
-        if (!in_object || open_key == "name") {
-            wrong_type("a number");
+        if (!in_object || open_key == "name" || (open_key == "outline" && list_depth != 2)) wrong_type("a number");
+        if (open_key == "outline") {
+            point.push_back(value);
+        } else if (in_radius) {
+            radii[radius_key == "rear" ? 1 : 0] = value;
+        } else if (open_key == "corner_radius") {
+            car.corner_radius = CornerRadius{value, value};
+        } else {
+            car.numbers[*open_key] = value;
         }
-        numbers[*open_key] = value;
         return true;
     }
 
     bool string(const std::string& value) {
-        if (!in_object || open_key != "name") {
-            wrong_type("a string");
-        }
+        if (!in_object || open_key != "name") wrong_type("a string");
         check_name("key \"name\"", value);
         name = value;
         return true;
     }
 
+    bool start_array(std::size_t) {
+        if (!in_object || open_key != "outline" || list_depth == 2) wrong_type("a list");
+        if (++list_depth == 1) car.outline.emplace();
+        point.clear();
+        return true;
+    }
+    bool end_array() {
+        if (list_depth-- == 2) {
+            if (point.size() != 2)
+                throw Error(quoted_key() + " has a point of " + std::to_string(point.size()) +
+                            (point.size() == 1 ? " number" : " numbers") + "; write [x, y] for each, in metres");
+            car.outline->push_back({point[0], point[1]});
+        }
+        return true;
+    }
+
     bool null() { return wrong_type("null"); }
     bool boolean(bool) { return wrong_type("true or false"); }
-    bool start_array(std::size_t) { return wrong_type("a list"); }
-    bool end_array() { return true; }
     bool binary(std::vector<std::uint8_t>&) { return true; }
+
+    [[nodiscard]] std::string quoted_key() const { return "key \"" + open_key.value_or("") + '"'; }
 
     [[noreturn]] bool wrong_type(const std::string& found) const {
         if (!in_object) {
             throw Error("is " + found + ", but must be a JSON object with the keys of a car");
         }
-        throw Error("key \"" + *open_key + "\" is " + found + ", but must be a " +
-                    (open_key == "name" ? "string" : "number"));
+        const std::string right = open_key == "name"      ? "a string"
+                                  : open_key == "outline" ? "a list of points [x, y]"
+                                  : open_key == "corner_radius"
+                                      ? "a number, or an object with the numbers front and rear"
+                                      : "a number";
+        throw Error(quoted_key() + (list_depth > 0 || in_radius ? " holds " : " is ") + found + ", but must be " +
+                    right);
     }
 
     [[noreturn]] bool parse_error(std::size_t position, const std::string& token,
@@ -99,37 +145,18 @@ struct CarFile {
     }
 };
 
-/// The largest steering angle under whichever key it was given. [rad]
-double max_steer(const CarFile& file, const CarDimensions& dimensions) {
-    const std::string* given = nullptr;
+Car car(CarFile file) {
+    file.car.name = file.name.value_or("");
+    const std::string* first = nullptr;
     for (const std::string& key : steerings) {
-        if (file.numbers.count(key) == 0) {
-            continue;
-        }
-        if (given != nullptr) {
-            throw Error("keys \"" + *given + "\" and \"" + key + "\" exclude each other; give one of them");
-        }
-        given = &key;
+        if (!file.car.has(key)) continue;
+        if (first != nullptr)
+            throw Error("keys \"" + *first + "\" and \"" + key + "\" exclude each other; give one of them");
+        first = &key;
     }
-    if (given == nullptr) {
-        throw Error("says nothing about the steering; give one of " + either(steerings));
-    }
-    return steering_angle("key \"" + *given + '"', *given, file.numbers.at(*given), dimensions);
-}
-
-Car car(const CarFile& file) {
-    CarDimensions dimensions;
-    for (const NamedLength& length : car_lengths) {
-        const auto found = file.numbers.find(length.name);
-        if (found == file.numbers.end()) {
-            throw Error("key \"" + std::string(length.name) + "\" is missing; give it in metres");
-        }
-        dimensions.*length.value = found->second;
-    }
-    dimensions.max_steer = 1.0;
-    static_cast<void>(Car(dimensions));  // the lengths first: what the steering may be depends on them
-    dimensions.max_steer = max_steer(file, dimensions);
-    return Car(dimensions, file.name.value_or(""));
+    return described(file.car, [](const std::string& key, const std::string& what) {
+        return Error(key.empty() ? what : "key \"" + key + "\" " + what);
+    });
 }
 
 }  // namespace
@@ -142,7 +169,7 @@ Car car_from_json(std::string_view text, const std::string& source) {
         CarFile file;
         file.text = text;
         Json::sax_parse(text, &file);
-        return car(file);
+        return car(std::move(file));
     } catch (const Error& error) {
         throw Error(source + ": " + error.what());
     }

@@ -1,6 +1,7 @@
 // The answers of the search over all maneuvers as JSON objects, key by key as documented.
 #include <nlohmann/json.hpp>
 
+#include "io/conditions.hpp"
 #include "snug/io.hpp"
 
 namespace snug {
@@ -15,10 +16,16 @@ void add_bounds(Json& json, const Answer& answer) {
 
 }  // namespace
 
-Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const Answer& answer) {
-    Json json = {{"schema", 1},          {"car", as_json(car)},    {"slot", as_json(slot)},
-                 {"strategy", "fewest"}, {"max_changes", nullptr}, {"parkable", nullptr}};
+Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const Answer& answer,
+             const Driving& driving, const Parked& parked) {
+    Json json = {{"schema", 1},
+                 {"car", as_json(car)},
+                 {"slot", as_json(slot)},
+                 {"strategy", "fewest"},
+                 {"max_changes", nullptr}};
     if (max_changes) json["max_changes"] = *max_changes;
+    add_conditions(json, driving, parked);
+    json["parkable"] = nullptr;
     if (answer.direction_changes || answer.proved) json["parkable"] = answer.direction_changes.has_value();
     add_bounds(json, answer);
     json["entry_ranges"] = Json::array();
@@ -26,8 +33,9 @@ Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, c
     return json;
 }
 
-Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer) {
+Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer, const Driving& driving) {
     Json json = {{"schema", 1}, {"car", as_json(car)}, {"slot", as_json(slot)}};
+    add_conditions(json, driving, {});
     add_bounds(json, answer);
     if (answer.maneuver) json["maneuver"] = as_json(*answer.maneuver);
     return json;

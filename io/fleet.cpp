@@ -1,7 +1,6 @@
 // Many cars from a CSV file, a line each. Nothing that is said of a car can hold a line break, so lines are taken one by one,
 // quoted fields or not, and a quote left open spoils one line and not the rest of the file.
 #include <algorithm>
-#include <cmath>
 #include <locale>
 #include <map>
 #include <numbers>
@@ -10,7 +9,8 @@
 #include <system_error>
 
 #include "car_file.hpp"
-#include "model/spelling.hpp"
+#include "io/csv.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
 
@@ -18,21 +18,11 @@ namespace snug {
 namespace {
 
 constexpr std::size_t largest_file = 100'000'000;  // [bytes]
-constexpr std::size_t longest_line = 10'000;       // [bytes]
-constexpr double agreement = 1e-9;                 // of columns that say the same, relative
+constexpr std::size_t longest_line = 20'000;       // [bytes]: room for the finest outline
 constexpr double degree = std::numbers::pi / 180.0;
 
 std::string counted(std::size_t count, const std::string& what) {
     return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-}
-
-/// What a column that repeats another would say of a car.
-double repeated(const Car& car, const std::string& column) {
-    return column == "max_steer"        ? car.max_steer()
-           : column == "max_steer_deg"  ? car.max_steer() / degree
-           : column == "turning_radius" ? car.turning_radius()
-           : column == "curb_to_curb"   ? car.curb_to_curb()
-                                        : car.length();
 }
 
 /// The first line of a text, without its end; the text goes on after it.
@@ -63,13 +53,10 @@ public:
 
     /// Takes the line for the names of the columns.
     void name_columns() {
-        std::vector<std::string> needed = {"name"};
-        for (const NamedLength& length : car_lengths) {
-            needed.emplace_back(length.name);
-        }
-        std::vector<std::string> known = needed;
+        std::vector<std::string> known = {"name"};
+        known.insert(known.end(), car_lengths.begin(), car_lengths.end());
         known.insert(known.end(), steerings.begin(), steerings.end());
-        known.emplace_back("length");
+        known.insert(known.end(), {"corner_radius", "outline"});
         for (const std::string& field : fields_) {
             if (std::find(known.begin(), known.end(), field) == known.end()) {
                 throw wrong(columns_.size(),
@@ -83,11 +70,11 @@ public:
             }
             columns_.push_back(field);
         }
-        for (const std::string& column : needed) {
-            if (!find(column)) {
-                throw wrong_line("names no column " + in_quotes(column) + "; add it, for every car needs one");
-            }
-        }
+        need({"name"});
+        need({"wheelbase"});
+        need({"width", "outline"});
+        need({"front", "front_overhang", "length", "outline"});
+        need({"rear", "rear_overhang", "length", "outline"});
         if (std::none_of(steerings.begin(), steerings.end(), [&](const std::string& key) { return find(key); })) {
             throw wrong_line("names no column for the steering; add one of " + either(steerings));
         }
@@ -99,24 +86,27 @@ public:
             throw wrong_line("has " + counted(fields_.size(), "field") + ", but the header names " +
                              counted(columns_.size(), "column") + "; write a field for each");
         }
-        const std::string name = unique_name();
-        CarDimensions dimensions = {1.0, 1.0, 1.0, 1.0, 1.0};  // possible, so that each length is judged by itself
-        for (const NamedLength& length : car_lengths) {
-            const std::size_t column = *find(length.name);
-            dimensions.*length.value = number(column);
-            in(column, [&] { static_cast<void>(Car(dimensions)); });
+        CarDescription car;
+        car.name = unique_name();
+        for (std::size_t column = 0; column < columns_.size(); ++column) {
+            const std::string& key = columns_[column];
+            if (key == "name" || fields_[column].empty()) continue;
+            if (key == "outline") {
+                car.outline = points(column);
+            } else if (key == "corner_radius") {
+                const double radius = number(column, fields_[column]);
+                car.corner_radius = CornerRadius{radius, radius};
+            } else {
+                car.numbers[key] = number(column, fields_[column]);
+            }
         }
-        const std::size_t steering = steering_column();
-        const std::string& key = columns_[steering];
-        const double value = number(steering);
-        in(steering, [&] { dimensions.max_steer = steering_angle(key, key, value, dimensions); });
-        in(steering, [&] { static_cast<void>(Car(dimensions)); });
-        Car car(dimensions, name);
-        check_agreement(car, "length", "front and rear");
-        for (const std::string& other : steerings) {
-            check_agreement(car, other, key);
-        }
-        return car;
+        return described(car, [this](const std::string& key, const std::string& what) {
+            const std::optional<std::size_t> column = find(key);
+            if (key.empty()) return wrong_line(what);
+            if (!column) return wrong_line(key + ' ' + what);
+            return wrong(*column, fields_[*column].empty() ? "is empty; write a decimal number in " + unit_of(key)
+                                                           : key + ' ' + what);
+        });
     }
 
 private:
@@ -140,7 +130,7 @@ private:
 
     void split(std::string_view line) {
         if (line.size() > longest_line) {
-            throw wrong_line("is longer than 10 kB; write one car a line");
+            throw wrong_line("is longer than 20 kB; write one car a line");
         }
         fields_.clear();
         while (true) {
@@ -203,30 +193,21 @@ private:
         return name;
     }
 
-    /// The first that says something of this car.
-    [[nodiscard]] std::size_t steering_column() const {
-        for (const std::string& key : steerings) {
-            const std::optional<std::size_t> column = find(key);
-            if (column && !fields_[*column].empty()) {
-                return *column;
-            }
-        }
-        throw wrong_line("says nothing about the steering; give one of " + either(steerings));
+    /// Throws Error unless one of the columns is there; a car may do with any of them.
+    void need(const std::vector<std::string>& columns) const {
+        if (std::any_of(columns.begin(), columns.end(), [&](const std::string& column) { return find(column); }))
+            return;
+        throw wrong_line("names no column " + in_quotes(columns.front()) + "; add it, for every car needs one");
     }
 
-    [[nodiscard]] double number(std::size_t column) const {
-        const std::string& field = fields_[column];
-        const std::string unit = columns_[column] == "max_steer"       ? "radians"
-                                 : columns_[column] == "max_steer_deg" ? "degrees"
-                                                                       : "metres";
-        if (field.empty()) {
-            throw wrong(column, "is empty; write a decimal number in " + unit);
-        }
+    [[nodiscard]] double number(std::size_t column, const std::string& field) const {
+        const std::string unit = unit_of(columns_[column]);
         double value = 0.0;
         std::istringstream digits(field);
         digits.imbue(std::locale::classic());
         const bool read = static_cast<bool>(digits >> value);
-        const bool plain = field.front() != '+' && field.find_first_not_of("0123456789.eE+-") == field.npos;
+        const bool plain =
+            !field.empty() && field.front() != '+' && field.find_first_not_of("0123456789.eE+-") == field.npos;
         if (!plain || !digits.eof() || (!read && value == 0.0)) {
             throw wrong(column, in_quotes(field) + " is no number; write a decimal number in " + unit);
         }
@@ -236,18 +217,19 @@ private:
         return value;
     }
 
-    /// A column that repeats what others say must not contradict them.
-    void check_agreement(const Car& car, const std::string& column, const std::string& others) const {
-        const std::optional<std::size_t> place = find(column);
-        if (!place || fields_[*place].empty()) {
-            return;
+    /// An outline, "x y; x y; x y".
+    [[nodiscard]] std::vector<Point> points(std::size_t column) const {
+        std::vector<Point> all;
+        std::istringstream corners(fields_[column]);
+        for (std::string corner; std::getline(corners, corner, ';');) {
+            std::istringstream words(corner);
+            std::vector<std::string> numbers;
+            for (std::string word; words >> word;) numbers.push_back(word);
+            if (numbers.size() != 2)
+                throw wrong(column, in_quotes(corner) + " is no point; write x y; x y; ... in metres");
+            all.push_back({number(column, numbers[0]), number(column, numbers[1])});
         }
-        const double right = repeated(car, column);
-        if (!(std::abs(number(*place) - right) <= agreement * right)) {
-            throw wrong(*place, in_quotes(fields_[*place]) + " does not agree with " + others +
-                                    ", by which it would be " + write(right) +
-                                    "; correct one or leave this field empty");
-        }
+        return all;
     }
 
     std::vector<std::string> columns_;
@@ -279,6 +261,13 @@ std::vector<Car> cars(std::string_view text) {
     return cars;
 }
 
+std::string points_text(const Outline& outline) {
+    std::string text;
+    for (const Point& corner : outline.corners())
+        text += (text.empty() ? "" : "; ") + write(corner.x) + ' ' + write(corner.y);
+    return text;
+}
+
 }  // namespace
 
 std::vector<Car> cars_from_csv(std::string_view text, const std::string& source) {
@@ -287,6 +276,25 @@ std::vector<Car> cars_from_csv(std::string_view text, const std::string& source)
     } catch (const Error& error) {
         throw Error(source + ": " + error.what());
     }
+}
+
+std::string as_csv(const std::vector<Car>& cars) {
+    const bool outlines = std::any_of(cars.begin(), cars.end(), [](const Car& car) { return !car.is_rectangle(); });
+    Csv csv;
+    for (const char* column : {"name", "width", "front", "rear", "wheelbase", "max_steer", "max_steer_deg",
+                               "turning_radius", "curb_to_curb", "length"})
+        csv.add_field(column);
+    if (outlines) csv.add_field("outline");
+    csv.end_row();
+    for (const Car& car : cars) {
+        csv.add_field(car.name());
+        for (const double value : {car.width(), car.front(), car.rear(), car.wheelbase(), car.max_steer(),
+                                   car.max_steer() / degree, car.turning_radius(), car.curb_to_curb(), car.length()})
+            csv.add_field(value);
+        if (outlines) csv.add_field(car.is_rectangle() ? std::string() : points_text(car.outline()));
+        csv.end_row();
+    }
+    return csv.text();
 }
 
 std::vector<Car> read_cars(const std::string& path) {

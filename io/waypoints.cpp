@@ -1,6 +1,7 @@
 // Waypoints as JSON and as CSV.
 #include <nlohmann/json.hpp>
 
+#include "io/csv.hpp"
 #include "snug/io.hpp"
 
 namespace snug {
@@ -19,13 +20,11 @@ Json as_json(const std::vector<Waypoint>& waypoints) {
 }
 
 std::string as_csv(const std::vector<Waypoint>& waypoints) {
-    std::string text = "x,y,heading,direction,curvature,distance\n";
-    for (const Waypoint& waypoint : waypoints) {
-        text += write(waypoint.pose.x) + ',' + write(waypoint.pose.y) + ',' + write(waypoint.pose.heading) + ',' +
-                std::to_string(static_cast<int>(waypoint.direction)) + ',' + write(waypoint.curvature) + ',' +
-                write(waypoint.distance) + '\n';
-    }
-    return text;
+    Csv csv({"x", "y", "heading", "direction", "curvature", "distance"});
+    for (const Waypoint& waypoint : waypoints)
+        csv.row(waypoint.pose.x, waypoint.pose.y, waypoint.pose.heading, static_cast<int>(waypoint.direction),
+                waypoint.curvature, waypoint.distance);
+    return csv.text();
 }
 
 }  // namespace snug

@@ -1,5 +1,6 @@
 // JSON as text that people can read too: an object or a list is broken over lines only when it does not fit on one.
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "snug/io.hpp"
 
@@ -39,6 +40,19 @@ std::string broken(const Json& json, std::size_t indent) {
 }
 
 }  // namespace
+
+std::string ListInParts::begin(const Json& object, const std::string& key_of_list) {
+    std::string text = "{";
+    for (auto item = object.begin(); item != object.end(); ++item)
+        text += "\n  " + key(item, object) + broken(*item, 2) + ',';
+    return text + "\n  " + scalar(key_of_list) + ": [";
+}
+
+std::string ListInParts::item(const Json& item) {
+    return (std::exchange(first_, false) ? "\n    " : ",\n    ") + broken(item, 4);
+}
+
+std::string ListInParts::end() { return first_ ? "]\n}\n" : "\n  ]\n}\n"; }
 
 std::string write(const Json& json) { return broken(json, 0) + "\n"; }
 

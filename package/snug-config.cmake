@@ -1,10 +1,12 @@
-# find_package(snug) gives snug::snug; COMPONENTS io sweep draw atlas give snug::io and so on as well.
+# find_package(snug) gives snug::snug; COMPONENTS baselines io sweep draw atlas give snug::io and so on as well.
 include(CMakeFindDependencyMacro)
 find_dependency(hwy)
 include(${CMAKE_CURRENT_LIST_DIR}/snug-targets.cmake)
 
 foreach(component ${snug_FIND_COMPONENTS})
-    if(component STREQUAL io)
+    if(component STREQUAL baselines)
+        # the core is all they need
+    elseif(component STREQUAL io)
         find_dependency(nlohmann_json)
     elseif(component STREQUAL sweep)
         find_dependency(TBB)
@@ -23,7 +25,7 @@ foreach(component ${snug_FIND_COMPONENTS})
         endif()
     else()
         set(snug_FOUND FALSE)
-        set(snug_NOT_FOUND_MESSAGE "snug has no component ${component}; it has io, sweep, draw and atlas")
+        set(snug_NOT_FOUND_MESSAGE "snug has no component ${component}; it has baselines, io, sweep, draw and atlas")
         return()
     endif()
     include(${CMAKE_CURRENT_LIST_DIR}/snug-${component}-targets.cmake)

@@ -26,6 +26,7 @@ _snug() {
         *:HOW) words='backward forward' ;;
         *:WHEN) words='contact inside' ;;
         *:VIEW) words='maneuver entries' ;;
+        *:CURB) words='high low' ;;
         leave:FORMAT | 'atlas query:FORMAT') words='text json' ;;
         *:FORMAT) words='text json csv' ;;
         'atlas build:NAME') words='max-steer fewest' ;;

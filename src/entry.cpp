@@ -48,7 +48,7 @@ std::vector<HeadingRange> ranges_of(const std::vector<CountedHeadings>& found, i
 
 Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& options) {
     Answer answer;
-    const FullSteering steering(entering_problem(car, slot, options.driving.enter, options.driving.clearance));
+    const FullSteering steering(entering_problem(car, slot, options.driving, options.parked));
     const double width = std::max(options.min_range, resolvable_range);
     Progress progress;
     if (options.progress) {

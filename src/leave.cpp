@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "all_maneuvers/search.hpp"
 #include "contact/entering.hpp"
@@ -19,10 +20,10 @@ using namespace detail;
 constexpr double full_turn = 6.28318530717958647693;
 constexpr double most_tilted = 1.2;  ///< the lattices leave out headings next to upright [rad]
 
-Box box_of(const Car& car, const Pose& pose) {
+Box box_of(const std::vector<Point>& corners) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Box box{infinity, -infinity, infinity, -infinity};
-    for (const Point& corner : frame(car, pose)) {
+    for (const Point& corner : corners) {
         box.x_min = std::min(box.x_min, corner.x);
         box.x_max = std::max(box.x_max, corner.x);
         box.y_min = std::min(box.y_min, corner.y);
@@ -31,11 +32,24 @@ Box box_of(const Car& car, const Pose& pose) {
     return box;
 }
 
+/// Of what is below that height.
+Box box_below(const std::vector<Point>& corners, double height) {
+    std::vector<Point> below;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point& from = corners[i];
+        const Point& to = corners[(i + 1) % corners.size()];
+        if (from.y <= height) below.push_back(from);
+        if ((from.y <= height) == (to.y <= height)) continue;
+        below.push_back({from.x + (to.x - from.x) * ((height - from.y) / (to.y - from.y)), height});
+    }
+    return box_of(below);
+}
+
 /// Flush with the curb and parallel: turning takes a corner into the curb at once, but driving raises the car only as
 /// it has turned, so it can never begin (docs/fewest.md).
 bool flush_with_curb(const Ground& ground, const Pose& pose, double rounding) {
-    const double gap = box_of(ground.car, pose).y_min + ground.slot.width() - ground.clearance;
-    return std::abs(pose.heading) <= rounding && gap <= rounding * ground.car.length() && never_turns(ground.car);
+    const double gap = box_of(placed(ground.problem.at_curb, pose)).y_min + ground.problem.width;
+    return std::abs(pose.heading) <= rounding && gap <= rounding * ground.car.length() && never_turns(ground.problem);
 }
 
 void check_parked(const Ground& ground, const Pose& pose) {
@@ -43,13 +57,17 @@ void check_parked(const Ground& ground, const Pose& pose) {
         throw Error("the car is parked " + spelled(std::abs(pose.heading)) +
                     " rad off the slot's heading, but must be at most " + spelled(most_tilted) + " rad off");
     const double rounding = 1e-9 * ground.car.length();
-    const Box box = box_of(ground.car, pose);
-    const double keeps = ground.clearance;
-    const double out = std::max({box.y_max, box.x_max + keeps, -ground.slot.length() - box.x_min + keeps,
-                                 -ground.slot.width() - box.y_min + keeps});
+    const Problem& problem = ground.problem;
+    const std::vector<Point> body = placed(problem.body, pose);
+    const Box frame = box_of(placed(problem.frame, pose));
+    const double out = std::max({frame.y_max, frame.x_max, -problem.length - frame.x_min,
+                                 box_below(body, -problem.front_setback).x_max,
+                                 -problem.length - box_below(body, -problem.rear_setback).x_min,
+                                 -problem.width - box_of(placed(problem.at_curb, pose)).y_min});
     if (out > rounding)
         throw Error("the parked car sticks " + spelled(out) + " m out of the slot" +
-                    (keeps > 0.0 ? " or into its clearance" : "") + ", but must be inside");
+                    (ground.driving.clearance > 0.0 || ground.driving.at_curb() > 0.0 ? " or into its clearance" : "") +
+                    ", but must be inside");
 }
 
 }  // namespace
@@ -58,7 +76,8 @@ Pose parked_pose(const Car& car, const Slot& slot, const ParkedGaps& gaps) {
     check_between("gap to the front neighbour", gaps.front, 0.0, 1e6, " m");
     check_between("gap to the curb", gaps.curb, 0.0, 1e6, " m");
     check_between("heading of the parked car", gaps.heading, -1e9, 1e9, " rad");
-    const Box box = box_of(car, {0.0, 0.0, gaps.heading});
+    // Where the slot is on the left, its frame is the world's mirror image.
+    const Box box = box_of(frame(slot.side() == Side::left ? car.mirrored() : car, {0.0, 0.0, gaps.heading}));
     return slot.to_world(Pose{-gaps.front - box.x_max, gaps.curb - slot.width() - box.y_min, gaps.heading});
 }
 
@@ -66,7 +85,7 @@ Answer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOpt
     check(options);
     for (const double value : {pose.x, pose.y, pose.heading})
         check_between("pose of the parked car", value, -1e9, 1e9, "");
-    const Ground ground(car, slot, options.driving.enter, options.driving.clearance);
+    const Ground ground(car, slot, options.driving);
     Pose start = slot.to_slot(pose);
     start.heading = std::remainder(start.heading, full_turn);
     if (options.driving.enter == Enter::forward) start = {-slot.length() - start.x, start.y, -start.heading};
@@ -80,19 +99,21 @@ Answer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOpt
     // Above what rounding may have put into the curb.
     const double z = start.y + radius * angles::cos(start.heading) + 1e-10 * car.length();
     const LeavingQuestion question{ground,
-                                   entering_problem(car, slot, options.driving.enter, options.driving.clearance),
                                    [z](Heights& heights) { heights.start_at(0, 0, z); },
                                    {start.x, angles::sin(start.heading)},
                                    options.max_changes,
                                    options.resolution,
                                    Finish::tidy};
     LeavingBounds bounds;
+    std::vector<Move> at_hand;
     const Watch watch = watch_of(options, bounds);
     try {
+        at_hand = moves_at_hand(question, watch);
         narrow(question, sensible_depth(question, watch), bounds, watch);
         make_drivable(question, bounds, options.roomiest, watch);
     } catch (const GivenUp&) {  // the bounds are what is known
     }
+    fall_back_on(std::move(at_hand), car, bounds);
     return answer_of(question, std::move(bounds), car, slot, false);
 }
 

@@ -98,7 +98,7 @@ private:
     [[nodiscard]] FullSteering steering(double size) const {
         const bool length = sought_ == Sought::length;
         const Slot slot({.length = length ? size : given_, .width = length ? given_ : size});
-        return FullSteering(entering_problem(car_, slot, options_.driving.enter, options_.driving.clearance));
+        return FullSteering(entering_problem(car_, slot, options_.driving, options_.parked));
     }
 
     [[nodiscard]] bool any_range_will_do() const { return options_.min_range <= resolvable_range; }

@@ -3,8 +3,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "full_steering/widest_range.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 #include "snug/sweep.hpp"
 #include "tasks.hpp"
 

@@ -11,8 +11,7 @@
 #include <set>
 
 #include "full_steering/smallest_slot.hpp"
-#include "full_steering/widest_range.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 #include "snug/entry.hpp"
 #include "tasks.hpp"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
@@ -10,6 +11,12 @@ namespace snug::test {
 inline bool is_set(const char* variable) {
     const char* value = std::getenv(variable);
     return value != nullptr && std::string_view(value) == "1";
+}
+
+/// A whole number from the environment, to choose cases with.
+inline std::uint64_t number(const char* variable, std::uint64_t otherwise) {
+    const char* value = std::getenv(variable);
+    return value == nullptr ? otherwise : std::strtoull(value, nullptr, 10);
 }
 
 /// `full` with SNUG_SOAK=1, a tenth of the sample with SNUG_SMALL=1 (sanitizers), else `usual`.

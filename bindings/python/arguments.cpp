@@ -10,6 +10,10 @@ std::vector<std::pair<std::string_view, Side>> words() {
     return {{"right", Side::right}, {"left", Side::left}};
 }
 template <>
+std::vector<std::pair<std::string_view, Curb>> words() {
+    return {{"high", Curb::high}, {"low", Curb::low}};
+}
+template <>
 std::vector<std::pair<std::string_view, Direction>> words() {
     return {{"backward", Direction::backward}, {"forward", Direction::forward}};
 }
@@ -32,7 +36,7 @@ std::vector<std::pair<std::string_view, Outcome>> words() {
 template <>
 std::vector<std::pair<std::string_view, CarPart>> words() {
     std::vector<std::pair<std::string_view, CarPart>> all;
-    for (int i = 0; i <= static_cast<int>(CarPart::right_edge); ++i)
+    for (int i = 0; i <= static_cast<int>(CarPart::front_right_wheel); ++i)
         all.emplace_back(to_string(static_cast<CarPart>(i)), static_cast<CarPart>(i));
     return all;
 }

@@ -26,6 +26,8 @@ std::vector<std::pair<std::string_view, Enumeration>> words();
 template <>
 std::vector<std::pair<std::string_view, Side>> words();
 template <>
+std::vector<std::pair<std::string_view, Curb>> words();
+template <>
 std::vector<std::pair<std::string_view, Direction>> words();
 template <>
 std::vector<std::pair<std::string_view, Enter>> words();

@@ -4,10 +4,9 @@
 #include <limits>
 
 #include "arguments.hpp"
-#include "full_steering/widest_range.hpp"
-#include "model/check.hpp"
 #include "module.hpp"
 #include "progress.hpp"
+#include "sentences/check.hpp"
 
 namespace snug::python {
 

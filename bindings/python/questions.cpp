@@ -199,7 +199,7 @@ void define_entry(py::module_& module) {
         "progress=None)",
         "All entry headings in [0, pi/2] from which the car parks with the fewest direction changes (at most 200),\n"
         "or with every count up to `max_changes`, as exact ranges, and one best maneuver. Returns an Answer.\n\n"
-        "`min_range` leaves out stretches of headings narrower than this [rad]; `clearance` grows the frame for\n"
+        "`min_range` leaves out ranges of headings narrower than this [rad]; `clearance` grows the frame for\n"
         "contacts and for the entry position [m]; `enter` is 'backward', tail first, or 'forward'; `strategy` is a\n"
         "Stepping, ReversedTrials or ParallelTrials, None or MaxSteer for full steering until contact. `progress` is\n"
         "told the part done (0 to 1) on long questions; returning False gives up.",
@@ -421,10 +421,10 @@ void define_contact(py::module_& module) {
         "the left, 0 straight) [rad] first touches the curb or a neighbour, in closed form. Returns a FirstContact.\n"
         "`clearance` [m] grows the frame on every side for contacts, not for being inside.",
         [](const Arguments& given) {
-            double clearance = 0.0;
-            given.read("clearance", clearance);
+            Driving driving;
+            given.read("clearance", driving.clearance);
             return first_contact(given.get<Car>("car"), given.get<Slot>("slot"), given.get<Pose>("pose"),
-                                 given.get<Direction>("direction"), given.get<double>("steering_angle"), clearance);
+                                 given.get<Direction>("direction"), given.get<double>("steering_angle"), driving);
         });
 }
 

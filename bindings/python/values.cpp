@@ -5,6 +5,7 @@
 
 #include "arguments.hpp"
 #include "module.hpp"
+#include "snug/io.hpp"
 
 namespace snug::python {
 
@@ -60,38 +61,87 @@ void define_geometry(py::module_& module) {
         .finish();
 }
 
+/// What an outline says already may be said once more, as repr() does.
+void check_extent(const char* name, const std::optional<double>& given, double of_outline) {
+    if (given && *given != of_outline)
+        throw Error(std::string(name) + " is " + std::string(py::repr(py::float_(*given))) + ", but the outline's is " +
+                    std::string(py::repr(py::float_(of_outline))) + "; leave it out");
+}
+
 void define_car(py::module_& module) {
-    const Signature car("Car(*, width, front, rear, wheelbase, max_steer, name='')");
-    Value<Car>(
+    const Signature car("Car(*, wheelbase, max_steer, width=None, front=None, rear=None, outline=None, name='')");
+    Value<Car> type(
         module, "Car",
         car.docstring(
-            "A car that can exist: the paper's dimensions D = (w, d_f, d_r, b, phi_max).\n\n"
+            "A car that can exist: the paper's dimensions D = (w, d_f, d_r, b, phi_max), or an outline.\n\n"
+            "A rectangle has `width`, `front` and `rear`; any other car has an `outline` in their place: the corners "
+            "of\n"
+            "a convex polygon, x ahead and y to the left of the middle of the rear axle [m].\n"
             "Lengths lie between 1e-6 and 1e6 m, the steering angle between 0.1 and 89.9 degrees; the front may\n"
             "be shorter than the wheelbase. Raises Error when a dimension is impossible."))
-        .field("name", &Car::name, "As in the catalogue, or your own.")
-        .field("width", &Car::width, "w: width without mirrors [m]")
-        .field("front", &Car::front, "d_f: from the rear axle centre to the front [m]")
-        .field("rear", &Car::rear, "d_r: from the rear axle centre to the back [m]")
-        .field("wheelbase", &Car::wheelbase, "b: between the axles [m]")
-        .field("max_steer", &Car::max_steer, "phi_max: largest steering angle [rad]")
-        .property("length", &Car::length, "Bumper to bumper, d_f + d_r. [m]")
-        .property("turning_radius", &Car::turning_radius,
-                  "r = b / tan(phi_max): radius of the rear axle centre's tightest circle. [m]")
-        .property("curb_to_curb", &Car::curb_to_curb,
-                  "Diameter of the outer front wheel's tightest circle, as data sheets print it. [m]")
-        .constructor(car,
-                     [](const Arguments& given) {
-                         CarDimensions made;
-                         std::string name;
-                         given.read("width", made.width);
-                         given.read("front", made.front);
-                         given.read("rear", made.rear);
-                         given.read("wheelbase", made.wheelbase);
-                         given.read("max_steer", made.max_steer);
-                         given.read("name", name);
-                         return Car(made, name);
-                     })
-        .finish();
+        type.field("name", &Car::name, "As in the catalogue, or your own.")
+            .field("width", &Car::width, "w: width without mirrors [m]")
+            .field("front", &Car::front, "d_f: from the rear axle centre to the front [m]")
+            .field("rear", &Car::rear, "d_r: from the rear axle centre to the back [m]")
+            .field("wheelbase", &Car::wheelbase, "b: between the axles [m]")
+            .field("max_steer", &Car::max_steer, "phi_max: largest steering angle [rad]")
+            .field(
+                "outline",
+                [](const Car& c) -> py::object {
+                    if (c.is_rectangle()) return py::none();
+                    py::list corners;
+                    for (const Point& corner : c.outline().corners())
+                        corners.append(py::make_tuple(corner.x, corner.y));
+                    return py::tuple(corners);
+                },
+                "Corners (x, y) about the middle of the rear axle, counter-clockwise [m]; None for a rectangle.")
+            .property("length", &Car::length, "Bumper to bumper, d_f + d_r. [m]")
+            .property("turning_radius", &Car::turning_radius,
+                      "r = b / tan(phi_max): radius of the rear axle centre's tightest circle. [m]")
+            .property("curb_to_curb", &Car::curb_to_curb,
+                      "Diameter of the outer front wheel's tightest circle, as data sheets print it. [m]")
+            .property("wall_to_wall", &Car::wall_to_wall, "Diameter of the tightest circle that the body needs. [m]")
+            .constructor(car,
+                         [](const Arguments& given) {
+                             std::string name;
+                             py::object outline = py::none();
+                             given.read("name", name);
+                             given.read("outline", outline);
+                             const auto wheelbase = given.get<double>("wheelbase");
+                             const auto max_steer = given.get<double>("max_steer");
+                             std::optional<double> width, front, rear;
+                             given.read("width", width);
+                             given.read("front", front);
+                             given.read("rear", rear);
+                             if (outline.is_none()) {
+                                 for (const auto& [key, value] :
+                                      {std::pair("width", width), std::pair("front", front), std::pair("rear", rear)})
+                                     if (!value)
+                                         throw py::type_error(std::string(key) + " is missing; give it, or an outline");
+                                 return Car({*width, *front, *rear, wheelbase, max_steer}, name);
+                             }
+                             std::vector<Point> corners;
+                             for (const py::handle corner : outline) corners.push_back(as_point(corner, "outline"));
+                             Car made(Outline(std::move(corners)), wheelbase, max_steer, name);
+                             check_extent("width", width, made.width());
+                             check_extent("front", front, made.front());
+                             check_extent("rear", rear, made.rear());
+                             return made;
+                         })
+            .finish();
+    type.def_static(
+        "from_dict",
+        [](const py::dict& keys) {
+            return car_from_json(py::str(py::module_::import("json").attr("dumps")(keys)), "car");
+        },
+        "from_dict(keys, /)\n--\n\n"
+        "The car that a car file with these keys describes, as `snug cars --help` lists them: also overhangs,\n"
+        "circles and corner_radius. Raises Error when it is no car somebody could mean.",
+        py::arg("keys"), py::pos_only());
+    define(module, "read_car(path)", "The car in a car file. Raises Error when it cannot be read or describes none.",
+           [](const Arguments& given) {
+               return read_car(py::str(py::module_::import("os").attr("fspath")(given.get<py::object>("path"))));
+           });
 
     define(module, "cars()", "The five cars of the paper's table 1, in its order.",
            [](const Arguments&) { return catalogue(); });
@@ -119,7 +169,9 @@ void define_car(py::module_& module) {
 }
 
 void define_slot(py::module_& module) {
-    const Signature signature("Slot(length, width, *, side='right', corner=(0.0, 0.0), heading=0.0)");
+    const Signature signature(
+        "Slot(length, width, *, side='right', corner=(0.0, 0.0), heading=0.0, front_setback=0.0, rear_setback=0.0, "
+        "curb='high')");
     Value<Slot> slot(
         module, "Slot",
         signature.docstring(
@@ -127,7 +179,11 @@ void define_slot(py::module_& module) {
             "`length` is along the road and `width` from the road to the curb [m]; `side` is 'right' or 'left', the "
             "side\n"
             "of the road seen in the driving direction; `corner` is p, the front corner on the entry side [m];\n"
-            "`heading` is that of a car parked parallel [rad]. Raises Error when a dimension is impossible.\n\n"
+            "`heading` is that of a car parked parallel [rad]; the setbacks are how much deeper than the entry side "
+            "the\n"
+            "neighbours begin [m]; `curb` is 'high', or 'low': it stops the wheels only. Raises Error when a "
+            "dimension\n"
+            "is impossible.\n\n"
             "The slot frame has its origin at the corner p, x along the parallel heading and y towards the road; "
             "there\n"
             "every slot is [-length, 0] x [-width, 0], one on the left mirrored."));
@@ -137,6 +193,10 @@ void define_slot(py::module_& module) {
             "side", [](const Slot& s) { return word(s.side()); }, "'right' or 'left' of the road")
         .field("corner", &Slot::corner, "p: the front corner on the entry side [m]")
         .field("heading", &Slot::heading, "Heading of a car parked parallel [rad]")
+        .field("front_setback", &Slot::front_setback, "How much deeper the front neighbour begins [m]")
+        .field("rear_setback", &Slot::rear_setback, "How much deeper the rear neighbour begins [m]")
+        .field(
+            "curb", [](const Slot& s) { return word(s.curb()); }, "'high', or 'low': it stops the wheels only")
         .constructor(signature,
                      [](const Arguments& given) {
                          SlotDimensions made;
@@ -145,6 +205,9 @@ void define_slot(py::module_& module) {
                          given.read("side", made.side);
                          given.read("corner", made.corner);
                          given.read("heading", made.heading);
+                         given.read("front_setback", made.front_setback);
+                         given.read("rear_setback", made.rear_setback);
+                         given.read("curb", made.curb);
                          return Slot(made);
                      })
         .finish();

@@ -9,8 +9,21 @@
 //
 // Questions answer before they return: ask long ones (fewest, leave) in a worker, which can be ended.
 
-/** A car of the catalogue by name, or its dimensions. */
-export type CarLike = string | (CarLengths & Steering);
+/** A car of the catalogue by name, or what a car file says of it (docs/formats.md). */
+export type CarLike = string | (CarShape & Steering & { name?: string; wheelbase: number });
+
+/** Front and rear may be given as overhangs or by the length; points [x, y] are about the middle of the rear axle. */
+type CarShape =
+    | { outline: [number, number][] }
+    | {
+          width: number;
+          front?: number;
+          rear?: number;
+          length?: number;
+          front_overhang?: number;
+          rear_overhang?: number;
+          corner_radius?: number | { front: number; rear: number };
+      };
 
 interface CarLengths {
     name?: string;
@@ -23,10 +36,13 @@ type Steering =
     | { max_steer: number }
     | { max_steer_deg: number }
     | { turning_radius: number }
-    | { curb_to_curb: number };
+    | { curb_to_curb: number }
+    | { wall_to_wall: number };
 
 export interface Car extends CarLengths {
     max_steer: number;
+    /** Of a car that is no rectangle. */
+    outline?: [number, number][];
 }
 
 export interface SlotLike {
@@ -35,8 +51,15 @@ export interface SlotLike {
     side?: "right" | "left";
     corner?: [number, number];
     heading?: number;
+    /** How much deeper than the entry side the neighbours begin. */
+    front_setback?: number;
+    rear_setback?: number;
+    /** A low curb stops the wheels only. */
+    curb?: "high" | "low";
 }
-export type Slot = Required<SlotLike>;
+/** As it was asked for; setbacks and a low curb only where there are any. */
+export type Slot = Required<Pick<SlotLike, "length" | "width" | "side" | "corner" | "heading">> &
+    Pick<SlotLike, "front_setback" | "rear_setback" | "curb">;
 
 export interface Pose {
     x: number;
@@ -52,7 +75,8 @@ export interface Move {
     length: number;
     start: Pose;
     end: Pose;
-    contact: { car: string; obstacle: string } | null;
+    /** `index`: which corner of an outline. */
+    contact: { car: string; obstacle: string; index?: number } | null;
 }
 
 export interface Maneuver {
@@ -73,7 +97,11 @@ export interface HeadingRange {
 
 interface Common {
     clearance?: number;
+    /** At the curb, where it differs from the clearance. */
+    curb_clearance?: number;
     enter?: "backward" | "forward";
+    /** What counts as parked: at most so far off parallel, its nearest point at most so far from the curb. */
+    parked?: { heading?: number; curb?: number };
     max_changes?: number | null;
 }
 

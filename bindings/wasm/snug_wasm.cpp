@@ -73,6 +73,9 @@ Slot slot_from(const val& object) {
     if (const std::optional<val> corner = given(object, "corner"))
         slot.corner = {number(*corner, "0"), number(*corner, "1")};
     slot.heading = number_given(object, "heading").value_or(0.0);
+    slot.front_setback = number_given(object, "front_setback").value_or(0.0);
+    slot.rear_setback = number_given(object, "rear_setback").value_or(0.0);
+    slot.curb = second_word(object, "curb", "high", "low") ? Curb::low : Curb::high;
     return Slot(slot);
 }
 
@@ -81,7 +84,12 @@ template <class Options>
 Options common(const val& object) {
     Options options;
     options.driving.clearance = number_given(object, "clearance").value_or(0.0);
+    options.driving.curb_clearance = number_given(object, "curb_clearance");
     options.driving.enter = second_word(object, "enter", "backward", "forward") ? Enter::forward : Enter::backward;
+    if (const std::optional<val> parked = given(object, "parked")) {
+        options.parked.heading = number_given(*parked, "heading").value_or(options.parked.heading);
+        options.parked.curb = number_given(*parked, "curb").value_or(options.parked.curb);
+    }
     return options;
 }
 
@@ -171,7 +179,9 @@ val fewest_question(const val& given_car, const val& given_slot, const val& give
         const Car car = car_from(given_car);
         const Slot slot = slot_from(given_slot);
         const std::optional<int> max_changes = count_given(given_options, "max_changes");
-        return as_object(as_json(car, slot, max_changes, fewest(car, slot, fewest_options(given_options))));
+        const FewestOptions options = fewest_options(given_options);
+        return as_object(
+            as_json(car, slot, max_changes, fewest(car, slot, options), options.driving, options.parked));
     });
 }
 
@@ -181,7 +191,8 @@ val leave_question(const val& given_car, const val& given_slot, const val& gaps,
         const Slot slot = slot_from(given_slot);
         const Pose parked = parked_pose(
             car, slot, {number(gaps, "front"), number(gaps, "curb"), number_given(gaps, "heading").value_or(0.0)});
-        return as_object(leave_as_json(car, slot, leave(car, slot, parked, fewest_options(given_options))));
+        const FewestOptions options = fewest_options(given_options);
+        return as_object(leave_as_json(car, slot, leave(car, slot, parked, options), options.driving));
     });
 }
 

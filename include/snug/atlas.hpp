@@ -27,9 +27,11 @@ struct AtlasOptions {
     AtlasStrategy strategy = AtlasStrategy::max_steer;
     /// As in EntryOptions (empty: the fewest, up to 200, and their headings; set: every count up to it) and FewestOptions.
     std::optional<int> max_changes = {};
-    double min_range = 0.0;   ///< max_steer: narrower stretches of headings are left out [rad]
+    double min_range = 0.0;   ///< max_steer: narrower ranges of headings are left out [rad]
     double resolution = 0.0;  ///< fewest: spacing of the finest lattice [m]; 0: as fewest() chooses
     Driving driving = {};
+
+    friend bool operator==(const AtlasOptions&, const AtlasOptions&) = default;
 };
 
 /// A stored move: a Move without its poses, which drive() gives.
@@ -38,6 +40,8 @@ struct AtlasMove {
     double steering_angle = 0.0;     ///< positive to the left, for a slot on the right [rad]
     double length = 0.0;             ///< path of the rear axle centre [m]
     std::optional<Contact> contact;  ///< what ends the move in the stored slot
+
+    friend bool operator==(const AtlasMove&, const AtlasMove&) = default;
 };
 
 /// What is stored for one car in one slot: a view of the mapped file, valid as long as its Atlas. Poses and headings are
@@ -156,6 +160,7 @@ private:
     std::size_t blocks_ = 0;
     int block_bits_ = 0;  ///< a block has two to the power of this many cells
     const std::byte* names_ = nullptr;
+    const std::byte* corners_ = nullptr;
     const std::byte* width_values_ = nullptr;
     const std::byte* length_values_ = nullptr;
     const std::byte* first_block_ = nullptr;

@@ -19,6 +19,8 @@ struct AtlasPlan {
     std::vector<double> widths;   ///< [m]
     std::vector<double> lengths;  ///< [m]
     AtlasOptions options;
+
+    friend bool operator==(const AtlasPlan&, const AtlasPlan&) = default;
 };
 
 /// The answer for one car in one slot, as it is stored. Poses are those of a slot on the right with its corner at the
@@ -30,6 +32,8 @@ struct CellAnswer {
     std::vector<HeadingRange> ranges;      ///< in rising order; none with fewest
     Pose entry;                            ///< where the maneuver begins
     std::vector<AtlasMove> moves;          ///< none when no maneuver was found
+
+    friend bool operator==(const CellAnswer&, const CellAnswer&) = default;
 };
 
 /// Solves one cell: entry() or fewest(), in short. Empty when `go_on` said no. Throws Error when an option is impossible.

@@ -18,12 +18,16 @@ struct CellBatch {
     std::size_t car = 0;
     double width = 0.0;           ///< [m]
     std::vector<double> lengths;  ///< [m]; none: nothing is left
+
+    friend bool operator==(const CellBatch&, const CellBatch&) = default;
 };
 
 /// A batch and its answers: as many as lengths, or fewer when the work was given up.
 struct SolvedBatch {
     CellBatch cells;
     std::vector<CellAnswer> answers;
+
+    friend bool operator==(const SolvedBatch&, const SolvedBatch&) = default;
 };
 
 /// How far a build has come.
@@ -31,6 +35,8 @@ struct AtlasProgress {
     std::uint64_t stored = 0;  ///< cells in the database
     std::uint64_t solved = 0;  ///< of them by this build
     std::uint64_t cells = 0;   ///< that the atlas will have
+
+    friend bool operator==(const AtlasProgress&, const AtlasProgress&) = default;
 };
 
 /// A database open for building. One at a time: a second one throws. May be used from many threads.
@@ -65,14 +71,14 @@ private:
 };
 
 /// Where cells come from and answers go. Neither is called from two threads at once, nor `next` again once it had none.
-struct CellDesk {
+struct CellQueue {
     std::function<CellBatch()> next;
     std::function<void(const SolvedBatch&)> store;
 };
 
-/// Solves what the desk has on so many threads (0: all cores), until there is nothing left or `go_on`, which is asked from
-/// all of them, says no. Throws what the desk throws.
-void solve_all(const AtlasPlan& plan, const CellDesk& desk, int threads, const std::function<bool()>& go_on);
+/// Solves what the queue has on so many threads (0: all cores), until there is nothing left or `go_on`, which is asked from
+/// all of them, says no. Throws what the queue throws.
+void solve_all(const AtlasPlan& plan, const CellQueue& queue, int threads, const std::function<bool()>& go_on);
 
 struct AtlasBuildOptions {
     int threads = 0;  ///< 0: all cores

@@ -53,6 +53,10 @@ public:
     [[nodiscard]] double turning_radius() const;
     /// d = 2 sqrt((r + w/2)^2 + b^2): diameter of the outer front wheel's tightest circle, as data sheets print it. [m]
     [[nodiscard]] double curb_to_curb() const;
+    /// Diameter of the tightest circle that the body needs, to the side where it needs more. [m]
+    [[nodiscard]] double wall_to_wall() const;
+    /// Whether the outline is the rectangle of its dimensions.
+    [[nodiscard]] bool is_rectangle() const;
 
     friend bool operator==(const Car&, const Car&) = default;
 
@@ -74,6 +78,8 @@ std::vector<Point> frame(const Car& car, const Pose& pose);
 double steer_for_turning_radius(double wheelbase, double radius);
 /// Steering angle [rad] of a car with the given curb-to-curb diameter [m]; NaN when no steering reaches it.
 double steer_for_curb_to_curb(double wheelbase, double width, double diameter);
+/// Steering angle [rad] of a car with the given wall-to-wall diameter [m]; NaN when no steering reaches it.
+double steer_for_wall_to_wall(const Outline& outline, double wheelbase, double diameter);
 
 /// The five cars of the paper's table 1, in its order.
 std::vector<Car> catalogue();

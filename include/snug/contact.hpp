@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "snug/car.hpp"
+#include "snug/driving.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/slot.hpp"
 
@@ -14,6 +15,8 @@ namespace snug {
 struct Stretch {
     double from = 0.0;
     double to = 0.0;
+
+    friend bool operator==(const Stretch&, const Stretch&) = default;
 };
 
 /// What happens on one move with constant steering.
@@ -29,10 +32,28 @@ struct FirstContact {
 /// Where a car at `pose` (world frame) that drives one way with `steering_angle` (|angle| <= max_steer, positive to the
 /// left, 0 straight) [rad] first touches the curb or a neighbour. In closed form (theory: every contact is a point
 /// crossing a line while moving on a circle). Touching is no contact while the car moves away; a pose that overlaps an
-/// obstacle by more than 1e-9 of the car's length is in contact at distance 0. `clearance` [m] grows the frame on every
-/// side for contacts, not for being inside. Exact to rounding at the size of the turning circle: 1e-14 m at full steering,
-/// 1e-9 m at a steering angle of 1e-6 rad, whose circle is thousands of kilometres wide.
+/// obstacle by more than 1e-9 of the car's length is in contact at distance 0. Clearances grow the frame for contacts, not
+/// for being inside; which end goes first makes no difference. Exact to rounding at the size of the turning circle: 1e-14 m
+/// at full steering, 1e-9 m at a steering angle of 1e-6 rad, whose circle is thousands of kilometres wide.
 FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, Direction direction,
-                           double steering_angle, double clearance = 0.0);
+                           double steering_angle, const Driving& driving = {});
+
+/// How far a car at a pose (world frame) is from what it could touch; the clearances are taken off. Negative: the shortest
+/// way out. [m]
+struct Gaps {
+    double front = 0.0;  ///< to the front neighbour
+    double rear = 0.0;   ///< to the rear neighbour
+    double curb = 0.0;   ///< to the curb; where it is low, of the wheels
+
+    friend bool operator==(const Gaps&, const Gaps&) = default;
+};
+Gaps gaps(const Car& car, const Slot& slot, const Pose& pose, const Driving& driving = {});
+
+/// Does the car overlap nothing at a pose? Touching, to 1e-9 of its length, is allowed.
+bool is_free(const Car& car, const Slot& slot, const Pose& pose, const Driving& driving = {});
+
+/// Is a car that overlaps nothing parked at a pose, to 1e-9 of its length? The whole frame is inside the slot, but over a
+/// low curb, and whatever else counts as parked.
+bool is_inside(const Car& car, const Slot& slot, const Pose& pose, const Parked& parked = {});
 
 }  // namespace snug

@@ -41,6 +41,8 @@ Answer entry(const Car& car, const Slot& slot, const EntryOptions& options = {})
 struct Shortfall {
     double length = 0.0;
     double width = 0.0;
+
+    friend bool operator==(const Shortfall&, const Shortfall&) = default;
 };
 Shortfall shortfall(const Car& car, const Slot& slot, double clearance = 0.0);
 

@@ -19,6 +19,8 @@ struct FewestProgress {
     std::optional<int> direction_changes;  ///< demonstrated so far
     double spacing = 0.0;                  ///< of the finest lattice finished [m]; 0 if none is
     double part = 0.0;                     ///< of the time limit gone, 0 to 1
+
+    friend bool operator==(const FewestProgress&, const FewestProgress&) = default;
 };
 
 struct FewestOptions {
@@ -41,19 +43,24 @@ struct FewestOptions {
 ///
 /// The maneuver has few arcs and straight lines with exact contacts; of all with that many changes it is the roomiest found, the
 /// one that keeps the greatest distance from the neighbours and the curb. It begins with the corner of the frame at the slot's corner wherever such a one is found, else above it.
-/// Throws Error when an option is impossible, or when the resolution would take more than about 4 GB of memory.
+/// Throws Error when an option is impossible, or when the resolution would take more than 2 GB of memory.
 Answer fewest(const Car& car, const Slot& slot, const FewestOptions& options = {});
 
 /// A slot that is long enough, as far as it is known.
 struct FewestLength {
     std::optional<double> length;  ///< the car parks in this [m]; empty when not even the longest slot is found to do
     double length_lower = 0.0;     ///< and in none shorter than this [m]
+
+    friend bool operator==(const FewestLength&, const FewestLength&) = default;
 };
 
 struct FewestLengthOptions {
     int max_changes = 0;  ///< direction changes allowed, 0 to 1000
     Driving driving = {};
-    Parked parked = {};       ///< what counts as parked
+    Parked parked = {};          ///< what counts as parked
+    double front_setback = 0.0;  ///< of the neighbours, and the curb, as in SlotDimensions
+    double rear_setback = 0.0;
+    Curb curb = Curb::high;
     double longest = 4.0;     ///< give up where even this much more than the car's length is too short [m]
     double precision = 1e-3;  ///< to which both lengths are found [m], as far as the resolution lets them
     double resolution = 0.0;  ///< spacing of the finest lattice [m]; 0: a two-thousandth of the car's length

@@ -32,8 +32,10 @@ std::vector<Car> cars_from_csv(std::string_view text, const std::string& source)
 /// The cars in a file of at most 100 MB. Throws Error when it cannot be read.
 std::vector<Car> read_cars(const std::string& path);
 
-/// A car file, with `max_steer`.
+/// A car file, with `max_steer`; a car that is no rectangle has its `outline`.
 Json as_json(const Car& car);
+/// A fleet that cars_from_csv() reads back the same.
+std::string as_csv(const std::vector<Car>& cars);
 Json as_json(const Slot& slot);
 Json as_json(const Pose& pose);
 Json as_json(const Box& box);
@@ -43,9 +45,10 @@ Json as_json(const Maneuver& maneuver);
 Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const Answer& answer);
 
 /// The answer of `snug entry --strategy fewest --format json`, with `proved` and `lower_bound`. `max_changes` as asked.
-Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const Answer& answer);
+Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const Answer& answer,
+             const Driving& driving = {}, const Parked& parked = {});
 /// The answer of `snug leave --format json`.
-Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer);
+Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer, const Driving& driving = {});
 
 /// `snug entry --waypoints FILE.json`: `schema` and `waypoints`, a list of objects.
 Json as_json(const std::vector<Waypoint>& waypoints);
@@ -59,5 +62,17 @@ std::string_view to_string(const Strategy& strategy);
 std::string write(const Json& json);
 /// A number with all its digits, as in JSON.
 std::string write(double number);
+
+/// The text of an object whose last value is a list that may be too long to hold: part by part, as write() would say it over
+/// several lines.
+class ListInParts {
+public:
+    std::string begin(const Json& object, const std::string& key_of_list);
+    std::string item(const Json& item);
+    std::string end();
+
+private:
+    bool first_ = true;
+};
 
 }  // namespace snug

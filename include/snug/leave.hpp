@@ -13,6 +13,8 @@ struct ParkedGaps {
     double front = 0.0;    ///< from the car's foremost point to the front neighbour [m]
     double curb = 0.0;     ///< from the car's lowest point to the curb [m]
     double heading = 0.0;  ///< measured from the parallel heading, positive with the nose away from the curb [rad]
+
+    friend bool operator==(const ParkedGaps&, const ParkedGaps&) = default;
 };
 
 /// Its pose in the world.

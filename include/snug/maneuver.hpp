@@ -1,6 +1,7 @@
 // Maneuver: what the car drives, move by move, and where it is along the way.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,8 @@ namespace snug {
 
 enum class Direction { backward = -1, forward = 1 };
 
+/// A part of the car's outline, named by where it is. A corner is what lies in that quarter of the car's length and width,
+/// slanting edges there included.
 enum class CarPart {
     front_left_corner,
     rear_left_corner,
@@ -22,6 +25,10 @@ enum class CarPart {
     left_edge,
     rear_edge,
     right_edge,
+    front_left_wheel,  // at a low curb
+    rear_left_wheel,
+    rear_right_wheel,
+    front_right_wheel,
 };
 
 /// What a car can touch: the three non-entry sides of the slot and its two corners at the road. A corner of the car that
@@ -32,6 +39,10 @@ enum class Obstacle { front_side, rear_side, curb, front_corner, rear_corner };
 struct Contact {
     CarPart part;
     Obstacle obstacle;
+    /// Which one of the car's outline (of its wheels): the corner's index; an edge's is that of the corner it follows.
+    std::size_t part_index = 0;
+
+    friend bool operator==(const Contact&, const Contact&) = default;
 };
 
 /// "rear-right corner", "left edge", ...
@@ -51,6 +62,8 @@ struct Move {
     Pose start;
     Pose end;
     std::optional<Contact> contact;  ///< what ends the move; empty when the driver stops by choice
+
+    friend bool operator==(const Move&, const Move&) = default;
 };
 
 /// Pose after driving `distance` [m] (not negative) from `start` with the steering angle [rad]: an exact arc or line.
@@ -71,6 +84,8 @@ struct Maneuver {
     /// Poses along the way, at most `spacing` [m] apart, with both ends of every move.
     /// Throws Error when the spacing is less than 1e-9 m or no number.
     [[nodiscard]] std::vector<Pose> poses(double spacing) const;
+
+    friend bool operator==(const Maneuver&, const Maneuver&) = default;
 };
 
 /// The smallest box around everything the car frame covers, exactly (all zero without a move): in the world frame,

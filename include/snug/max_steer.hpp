@@ -1,6 +1,8 @@
 // The paper's strategy: full steering until contact, then the other way round, until parked (section 3.1).
 #pragma once
 
+#include <string_view>
+
 #include "snug/car.hpp"
 #include "snug/driving.hpp"
 #include "snug/maneuver.hpp"
@@ -33,5 +35,13 @@ struct MaxSteerRun {
 /// run is continued or shortened inside the slot to end as parallel to it as it can; this changes no count.
 /// Throws Error when an option is impossible.
 MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const MaxSteerOptions& options = {});
+
+/// Drives the strategy from any pose (world frame), first in this direction: the wheel to the road's side when the end that
+/// goes in first leads, towards the slot otherwise. A pose that overlaps something is no entry.
+MaxSteerRun max_steer(const Car& car, const Slot& slot, const Pose& pose, Direction direction,
+                      const MaxSteerOptions& options = {});
+
+/// "parked", "no entry", "stuck", "never touches", "too many changes"
+std::string_view to_string(Outcome outcome);
 
 }  // namespace snug

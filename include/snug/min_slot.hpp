@@ -23,6 +23,8 @@ struct MinSlot {
     double length = 0.0;         ///< [m]
     double width = 0.0;          ///< [m]
     double entry_heading = 0.0;  ///< [rad]
+
+    friend bool operator==(const MinSlot&, const MinSlot&) = default;
 };
 
 /// The shortest slot of the given width [m] in which the car parks with full steering and at most `max_changes` direction

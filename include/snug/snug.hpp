@@ -8,6 +8,7 @@
 #include "snug/contact.hpp"
 #include "snug/driving.hpp"
 #include "snug/entry.hpp"
+#include "snug/entry_position.hpp"
 #include "snug/error.hpp"
 #include "snug/fewest.hpp"
 #include "snug/geometry.hpp"

@@ -24,6 +24,8 @@ struct SweepOptions {
 struct EntryRow {
     std::optional<int> direction_changes;  ///< the fewest; empty where the car cannot park
     std::optional<HeadingRange> widest;    ///< the widest range with so many; trials have none
+
+    friend bool operator==(const EntryRow&, const EntryRow&) = default;
 };
 
 /// entry() for every slot. `options.progress` is not looked at. Empty when the progress callback gave up. Throws Error
@@ -42,6 +44,8 @@ struct MinSlotRow {
     int max_changes = 0;
     double given = 0.0;  ///< the slot's width, or its length, that was asked for [m]
     std::optional<MinSlot> slot;
+
+    friend bool operator==(const MinSlotRow&, const MinSlotRow&) = default;
 };
 
 /// min_length() for every width and every maximum of direction changes, row by row as given: counts outside, widths
@@ -75,6 +79,8 @@ struct FewestLengthRow {
     int max_changes = 0;
     double width = 0.0;  ///< of the slot [m]
     FewestLength found;
+
+    friend bool operator==(const FewestLengthRow&, const FewestLengthRow&) = default;
 };
 
 /// min_length_fewest() for every width and every maximum of direction changes, widths outside, counts inside.

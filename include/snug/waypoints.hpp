@@ -15,6 +15,8 @@ struct Waypoint {
     double curvature =
         0.0;                ///< of the steering, positive to the left: forward the heading rises by it each metre [1/m]
     double distance = 0.0;  ///< driven so far, never falling [m]
+
+    friend bool operator==(const Waypoint&, const Waypoint&) = default;
 };
 
 /// A maneuver as waypoints, at most `spacing` [m] apart along the path and evenly spaced within a move.

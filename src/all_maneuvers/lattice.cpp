@@ -5,23 +5,23 @@
 #include <cmath>
 #include <utility>
 
+#include "all_maneuvers/right_side.hpp"
+#include "model/angles.hpp"
+
 namespace snug::detail {
 
 namespace {
 
 constexpr std::size_t rows_between_looks = 64;
+constexpr int columns_between_looks = 64;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double cosine_of(double sine) { return std::sqrt(std::max(0.0, (1.0 - sine) * (1.0 + sine))); }
 
-/// A point of the car, from its rear axle centre.
-struct CarPoint {
-    double ahead, left;
-
-    [[nodiscard]] Point turned(double sine, double cosine) const {
-        return {ahead * cosine - left * sine, ahead * sine + left * cosine};
-    }
-};
+/// A point of the car, or an edge of it, at a heading.
+Point turned(const Point& point, double sine, double cosine) {
+    return {point.x * cosine - point.y * sine, point.x * sine + point.y * cosine};
+}
 
 /// A stretch of headings.
 struct CellHeadings {
@@ -49,6 +49,18 @@ struct CellHeadings {
     }
 };
 
+/// The same number many times over. Fresh memory is slow, so somebody looks at the clock now and then.
+std::vector<double> many(std::size_t count, double number, const Watch& watch) {
+    constexpr std::size_t at_once = std::size_t{1} << 20;
+    std::vector<double> numbers;
+    numbers.reserve(count);
+    while (numbers.size() < count) {
+        numbers.resize(std::min(count, numbers.size() + at_once), number);
+        watch();
+    }
+    return numbers;
+}
+
 }  // namespace
 
 std::size_t Rows::cells() const {
@@ -65,18 +77,19 @@ Lattice::Lattice(const Problem& problem, Enter enter, Bound bound, double spacin
       spacing_(spacing),
       sine_step_(spacing / (2.0 * problem.radius)),
       anchor_(anchor),
-      rounding_(4e-16 * (problem.length + problem.width + 4.0 * problem.radius + problem.touching.front +
-                         problem.touching.rear + problem.touching.left)) {
+      rounding_(4e-16 * (problem.length + problem.width + 4.0 * problem.radius + problem.body.front() +
+                         problem.body.rear() + std::max(problem.body.left(), problem.body.right()))) {
+    measure_body();
     first_column_ = static_cast<int>(std::ceil((-steepest_sine - anchor.sine) / sine_step_));
     last_column_ = static_cast<int>(std::floor((steepest_sine - anchor.sine) / sine_step_));
     if (within_coarser != nullptr) {
         find_rows(*within_coarser);
         if (measured_.empty()) measured_ = {first_column_, first_column_};
-        measure_columns();
+        measure_columns(watch);
     } else {
         measured_ = {first_column_, last_column_};
-        measure_columns();
-        find_rows();
+        measure_columns(watch);
+        find_rows(watch);
     }
     std::size_t begin = 0;
     for (const Window& window : rows_.windows) {
@@ -100,21 +113,57 @@ Lattice::Lattice(const Lattice& other, const Problem& problem, Bound bound, cons
       measured_(other.measured_),
       rows_(other.rows_),
       begin_(other.begin_) {
-    measure_columns();
+    measure_body();
+    measure_columns(watch);
     measure_rows(watch);
 }
 
+double Lattice::most_cells(const Problem& problem, double spacing) {
+    double farthest = 0.0;
+    for (const Point& corner : problem.body.corners()) farthest = std::max(farthest, angles::hypot(corner.x, corner.y));
+    const double rows = 2.0 * (problem.length + 2.0 * farthest) / spacing + 100.0;
+    const double columns = 2.0 * steepest_sine * problem.radius / spacing + 2.0 * row_padding + 2.0;  // in a row
+    return rows * columns;
+}
+
+void Lattice::measure_body() {
+    const RightSide side(problem_.body);
+    front_corner_ = side.front;
+    rear_corner_ = side.rear;
+    farthest_ = 0.0;
+    for (const Point& corner : problem_.body.corners())
+        farthest_ = std::max(farthest_, angles::hypot(corner.x, corner.y));
+    // Parked at most so far off parallel.
+    const double most = problem_.parked.heading;
+    steepest_parked_ = most < 1.5 ? angles::sin(most) : 1.0;
+}
+
+bool Lattice::may_park_upright() const {
+    const double sine = steepest_sine - 4.0 * sine_step_;
+    if (steepest_parked_ < sine) return false;
+    // From the foremost corner to the rearmost, as nearly level with each other as there are.
+    double ahead[2] = {infinity, -infinity}, behind[2] = {infinity, -infinity};
+    for (const Point& corner : problem_.frame.corners()) {
+        for (auto& [end, reach] : {std::pair{&ahead, corner.x - problem_.frame.front()},
+                                   std::pair{&behind, -problem_.frame.rear() - corner.x}}) {
+            if (reach < -1e-12 * farthest_) continue;
+            (*end)[0] = std::min((*end)[0], corner.y);
+            (*end)[1] = std::max((*end)[1], corner.y);
+        }
+    }
+    const double aslant = std::max({0.0, ahead[0] - behind[1], behind[0] - ahead[1]});
+    return problem_.width >= (problem_.frame.front() + problem_.frame.rear()) * sine - aslant * cosine_of(sine);
+}
+
 void Lattice::measure_column(int d) {
-    const Extents& car = problem_.touching;
     const bool cells = bound_ == Bound::lower;
     const double sine = this->sine(d);
     const CellHeadings headings(sine, cells ? sine_step_ : 0.0);  // of the cell
     const double least_cosine = headings.least_cosine();
     // How far a point of the car can be from where it is at the cell's middle, along and across.
-    const double farthest = angles::hypot(std::max(car.front, car.rear), car.left);
     const double half = spacing_ / 2.0;
-    const double along = cells ? half * std::max(1.0, farthest / (problem_.radius * least_cosine)) : 0.0;
-    const double across = cells ? half * farthest / (problem_.radius * least_cosine) : 0.0;
+    const double along = cells ? half * std::max(1.0, farthest_ / (problem_.radius * least_cosine)) : 0.0;
+    const double across = cells ? half * farthest_ / (problem_.radius * least_cosine) : 0.0;
     const double outward = cells ? 64.0 * rounding_ : 0.0;
     const double rear_wall = -problem_.length - along - outward;
     const double front_wall = along + outward;
@@ -123,77 +172,113 @@ void Lattice::measure_column(int d) {
     Column& column = columns_[static_cast<std::size_t>(place)];
     column.cosine = cosine_of(sine);
     column.tangent = sine / column.cosine;
-    // Parked: the real frame inside.
-    const Extents& parked = problem_.parked;
+    // Heights at which a point of the car is level with the entry side.
+    const auto level = [&](const Point& point) { return headings.span(-point.x, problem_.radius - point.y); };
+    // Parked: the real frame inside, and near enough to the curb.
     column.start = infinity;
     column.start_from = -infinity;
     column.start_to = infinity;
-    for (const CarPoint& corner : {CarPoint{parked.front, parked.left}, CarPoint{-parked.rear, parked.left},
-                                   CarPoint{-parked.rear, -parked.left}, CarPoint{parked.front, -parked.left}}) {
-        const double top = headings.span(-corner.ahead, problem_.radius - corner.left).greatest;
-        column.start = std::min(column.start, top + outward);
-        const double x = corner.turned(sine, column.cosine).x;
+    double lowest = -infinity;
+    for (const Point& corner : problem_.frame.corners()) {
+        const CellHeadings::Span height = level(corner);
+        column.start = std::min(column.start, height.greatest + outward);
+        lowest = std::max(lowest, height.greatest);
+        const double x = turned(corner, sine, column.cosine).x;
         column.start_from = std::max(column.start_from, rear_wall - x);
         column.start_to = std::min(column.start_to, front_wall - x);
     }
-    const CarPoint front_left{car.front, car.left};
-    const CarPoint rear_left{-car.rear, car.left};
-    const CarPoint rear_right{-car.rear, -car.left};
-    const CarPoint front_right{car.front, -car.left};
-    const auto height = [&](const CarPoint& corner) {
-        return headings.span(-corner.ahead, problem_.radius - corner.left);
-    };
-    column.tail_out = height(rear_right).greatest + outward;
+    column.start = std::min(column.start, lowest - problem_.width + problem_.parked.curb + outward);
+    const double margin = cells ? -sine_step_ - 1e-12 : sine == 0.0 ? 0.0 : 1e-12;
+    if (std::abs(sine) + margin > steepest_parked_) column.start = -infinity;
 
-    const Point front = front_right.turned(sine, column.cosine);
-    const Point rear = rear_right.turned(sine, column.cosine);
+    column.tail_out = level(rear_corner_).greatest + outward;
+    if (!cells) {  // on an arc to the next point the corner rises above both ends
+        const double reach = angles::hypot(rear_corner_.x, problem_.radius + std::abs(rear_corner_.y));
+        const double turn = sine_step_ / cosine_of(std::abs(sine) + sine_step_);
+        column.tail_out -= reach * turn * turn / 8.0;
+    }
+
     // From one cell to the next a corner moves at most this far: goals must be deep enough not to be jumped over.
-    const double step = half * (1.0 + farthest / (problem_.radius * least_cosine));
-    column.out_front = front_wall - front.x;
-    column.out_rear = rear_wall - rear.x;
+    const double step = half * (1.0 + farthest_ / (problem_.radius * least_cosine));
+    column.out_front = front_wall - turned(front_corner_, sine, column.cosine).x;
+    column.out_rear = rear_wall - turned(rear_corner_, sine, column.cosine).x;
     column.to = column.out_front + 2.0 * step;
     column.from = column.out_rear - 2.0 * step;
 
     Limits& limits = limits_[d & 1];
     const std::size_t i = term(cell_of_column(d));
+    double curb = -infinity;
+    for (const Point& corner : problem_.at_curb.corners()) curb = std::max(curb, level(corner).least);
+    limits.curb[i] = curb - problem_.width - outward;
+    measure_neighbours(d, front_wall, rear_wall, problem_.radius * least_cosine - across - outward);
+    // Where a neighbour stands so deep that a car above it may count as parked, it is out already.
+    const auto lift = [&](const Neighbour& neighbour, double x) {
+        double least = neighbour.level[i];
+        for (const Neighbour::Lines& lines : neighbour.lines)
+            least = std::min(least, lines.at_0[i] + lines.slope[i] * x);
+        return least;
+    };
+    if (column.start_to > column.to && column.start >= lift(limits.front, column.to)) column.to = column.start_to;
+    if (column.start_from < column.from && column.start >= lift(limits.rear, column.from))
+        column.from = column.start_from;
     if (d > first_column_ && d < last_column_) {
         limits.from[i] = column.from;
         limits.to[i] = column.to;
     }
-    limits.curb[i] = std::max({height(front_left).least, height(rear_left).least, height(rear_right).least,
-                               height(front_right).least}) -
-                     problem_.width - outward;
-    // Beside a neighbour the lowest point above it must not be below the entry side. That point lies where an edge of the
-    // frame crosses the wall, so the lowest position is a line in x; beyond the edge's lower end it is that end.
-    const bool nose_up = sine >= 0.0;
-    const double steep = sine == 0.0 ? 0.0 : -1.0 / column.tangent;
-    limits.front_slope[i] = nose_up ? column.tangent : steep;
-    limits.rear_slope[i] = nose_up ? steep : column.tangent;
-    limits.front_from[i] = column.out_front;
-    limits.rear_to[i] = column.out_rear;
-    if (nose_up) {
-        limits.rear_to[i] = std::max(column.out_rear, rear_wall - rear_left.turned(sine, column.cosine).x);
-    } else {
-        limits.front_from[i] = std::min(column.out_front, front_wall - front_left.turned(sine, column.cosine).x);
-    }
-    limits.front_level[i] = nose_up ? infinity : column.out_front;
-    limits.rear_level[i] = nose_up ? column.out_rear : -infinity;
-    const double to_z = problem_.radius * least_cosine - across - outward;
-    limits.front_at_0[i] = to_z - front.y - (front_wall - front.x) * limits.front_slope[i];
-    limits.rear_at_0[i] = to_z - rear.y - (rear_wall - rear.x) * limits.rear_slope[i];
 }
 
-void Lattice::measure_columns() {
+void Lattice::measure_neighbours(int d, double front_wall, double rear_wall, double to_z) {
+    // Beside a neighbour the lowest point above it must not be below its top. That point lies where a lower edge of the
+    // body crosses the wall, so the lowest position is a line in x; beyond the edge's lower end it is that end. The lower
+    // edges curve upward, so of several lines the least counts.
+    const double sine = this->sine(d);
+    const double cosine = cosine_of(sine);
+    const std::vector<Point>& corners = problem_.body.corners();
+    Limits& limits = limits_[d & 1];
+    const std::size_t i = term(cell_of_column(d));
+    double rightmost = -infinity, leftmost = infinity, low = infinity;
+    std::size_t rising = 0, falling = 0;
+    const auto add = [&](Neighbour& neighbour, std::size_t place, double wall, double height, const Point& at,
+                         double slope) {
+        if (neighbour.lines.size() <= place) {
+            const std::size_t count = neighbour.level.size();
+            neighbour.lines.push_back({std::vector<double>(count, infinity), std::vector<double>(count, 0.0)});
+        }
+        neighbour.lines[place].at_0[i] = height - at.y - (wall - at.x) * slope;
+        neighbour.lines[place].slope[i] = slope;
+    };
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Point& next = corners[k + 1 == corners.size() ? 0 : k + 1];
+        const Point at = turned(corners[k], sine, cosine);
+        rightmost = std::max(rightmost, at.x);
+        leftmost = std::min(leftmost, at.x);
+        low = std::min(low, at.y);
+        const Point edge = turned({next.x - corners[k].x, next.y - corners[k].y}, sine, cosine);
+        if (!(edge.x > 0.0)) continue;  // an upper one
+        if (edge.y > 0.0) add(limits.front, rising++, front_wall, to_z - problem_.front_setback, at, edge.y / edge.x);
+        if (edge.y < 0.0) add(limits.rear, falling++, rear_wall, to_z - problem_.rear_setback, at, edge.y / edge.x);
+    }
+    limits.front.wall[i] = front_wall - rightmost;
+    limits.rear.wall[i] = rear_wall - leftmost;
+    limits.front.level[i] = to_z - problem_.front_setback - low;
+    limits.rear.level[i] = to_z - problem_.rear_setback - low;
+}
+
+void Lattice::measure_columns(const Watch& watch) {
     columns_.resize(measured_.size() + 4);
     const std::size_t count = term(cell_of_column(measured_.to)) + 1 + row_padding;
     for (Limits& limits : limits_) {
         limits.from.assign(count, infinity);  // nothing beside the columns
+        limits.front.lines.clear();
+        limits.rear.lines.clear();
         for (std::vector<double>* numbers :
-             {&limits.to, &limits.curb, &limits.front_from, &limits.front_level, &limits.front_at_0,
-              &limits.front_slope, &limits.rear_to, &limits.rear_level, &limits.rear_at_0, &limits.rear_slope})
+             {&limits.to, &limits.curb, &limits.front.wall, &limits.front.level, &limits.rear.wall, &limits.rear.level})
             numbers->assign(count, 0.0);
     }
-    for (int d = measured_.from - 2; d <= measured_.to + 2; ++d) measure_column(d);
+    for (int d = measured_.from - 2; d <= measured_.to + 2; ++d) {
+        if (d % columns_between_looks == 0) watch();
+        measure_column(d);
+    }
     for (const int parity : {0, 1}) {
         forward_[parity] = terms(Direction::forward, parity);
         backward_[parity] = terms(Direction::backward, parity);
@@ -259,7 +344,7 @@ void Lattice::find_rows(const Rows& coarse) {
     }
 }
 
-void Lattice::find_rows() {
+void Lattice::find_rows(const Watch& watch) {
     double from = infinity, to = -infinity;
     for (const Column& column : columns_) {
         from = std::min(from, column.from);
@@ -270,6 +355,7 @@ void Lattice::find_rows() {
     const int last = static_cast<int>(std::ceil((to - anchor_.x) * per_row)) + 1;
     rows_.windows.assign(static_cast<std::size_t>(last - rows_.first) + 1, {});
     for (int d = first_column_; d <= last_column_; ++d) {
+        if (d % columns_between_looks == 0) watch();
         const int bottom = static_cast<int>(std::floor((at(d).from - anchor_.x) * per_row)) - 1;
         const int top = static_cast<int>(std::ceil((at(d).to - anchor_.x) * per_row)) + 1;
         for (int s = std::max(bottom, rows_.first); s <= std::min(top, last); ++s)
@@ -284,7 +370,7 @@ std::size_t Lattice::index(int row, int cell) const {
 }
 
 void Lattice::measure_rows(const Watch& watch) {
-    needed_.assign(begin_.back(), infinity);
+    needed_ = many(begin_.back(), infinity, watch);
     for (std::size_t i = 0; i < rows_.windows.size(); ++i) {
         if (i % rows_between_looks == 0) watch();
         const int row = rows_.first + static_cast<int>(i);
@@ -327,7 +413,8 @@ void Lattice::find_goals() {
     }
 }
 
-Heights::Heights(const Lattice& lattice) : lattice_(&lattice), z_(lattice.needed_.size(), nowhere) {
+Heights::Heights(const Lattice& lattice, const Watch& watch)
+    : lattice_(&lattice), z_(many(lattice.needed_.size(), nowhere, watch)) {
     reached_.first = lattice.rows_.first;
     reached_.windows.assign(lattice.rows_.windows.size(), {});
 }

@@ -15,9 +15,8 @@
 #include <limits>
 #include <vector>
 
-#include "contact/turning.hpp"
+#include "contact/entering.hpp"
 #include "snug/maneuver.hpp"
-#include "snug/max_steer.hpp"
 
 namespace snug::detail {
 
@@ -91,20 +90,31 @@ struct Column {
     double out_rear = 0.0, out_front = 0.0;   ///< beyond, the car is out
 };
 
-/// Where the obstacles let a car be, for all columns of one parity. Above the front neighbour, which begins at
-/// `front_from`, the lowest position is front_at_0 + front_slope x as far as `front_level`, and then level; above the rear
-/// one likewise the other way. [m]
+/// How high a neighbour lifts the cars of one parity's columns that reach beyond its wall. The car's lower edges cross the
+/// wall one after the other, so the lowest position is the least of a few straight lines in x, and at last level. [m]
+struct Neighbour {
+    std::vector<double> wall;   ///< beyond this x the car is above the neighbour
+    std::vector<double> level;  ///< lowest position above it, wherever the car is
+    struct Lines {
+        std::vector<double> at_0, slope;
+    };
+    std::vector<Lines> lines;  ///< as many as the column with most edges needs; a rectangle's need one
+};
+
+/// Where the obstacles let a car be, for all columns of one parity. [m]
 struct Limits {
     std::vector<double> from, to;  ///< the column's ends
     std::vector<double> curb;      ///< lowest position above the curb
-    std::vector<double> front_from, front_level, front_at_0, front_slope;
-    std::vector<double> rear_to, rear_level, rear_at_0, rear_slope;
+    Neighbour front, rear;
 };
 
 /// All that is fixed: obstacles and terms. Entering nose first the nose must stay in (see fewest.hpp): in the entering
 /// frame the car then never backs its tail out.
 class Lattice {
 public:
+    /// No lattice that begins anew has more cells.
+    static double most_cells(const Problem& problem, double spacing);
+
     /// Within those rows of a lattice twice as coarse, if given, everything that matters must lie.
     Lattice(const Problem& problem, Enter enter, Bound bound, double spacing, const Anchor& anchor,
             const Rows* within_coarser, const Watch& watch);
@@ -115,6 +125,7 @@ public:
     [[nodiscard]] double sine(int column) const { return anchor_.sine + column * sine_step_; }
     [[nodiscard]] double spacing() const { return spacing_; }
     [[nodiscard]] const Problem& problem() const { return problem_; }
+    [[nodiscard]] Enter enter() const { return enter_; }
     [[nodiscard]] const Rows& rows() const { return rows_; }
 
     [[nodiscard]] const SweepTerms& terms_of(Direction direction, int row) const {
@@ -139,19 +150,19 @@ public:
         return cell_of_column(column) >= window.from && cell_of_column(column) <= window.to;
     }
     /// Whether the slot may be deep enough to park at the headings next to upright that the lattice leaves out.
-    [[nodiscard]] bool may_park_upright() const {
-        return problem_.width >= (problem_.parked.front + problem_.parked.rear) * (steepest_sine - 4.0 * sine_step_);
-    }
+    [[nodiscard]] bool may_park_upright() const;
     /// Lowest free position. [m]
     [[nodiscard]] double needed(int row, int column) const { return needed_[index(row, cell_of_column(column))]; }
 
 private:
     friend class Heights;
 
-    void measure_columns();
-    void find_rows();
+    void measure_body();
+    void measure_columns(const Watch& watch);
+    void find_rows(const Watch& watch);
     void find_rows(const Rows& coarse);
     void measure_column(int d);
+    void measure_neighbours(int d, double front_wall, double rear_wall, double to_z);
     [[nodiscard]] SweepTerms terms(Direction direction, int parity) const;
     void measure_rows(const Watch& watch);
     void find_goals();
@@ -162,6 +173,9 @@ private:
     [[nodiscard]] std::size_t index(int row, int cell) const;
 
     Problem problem_;
+    Point front_corner_, rear_corner_;  // of the body's right side
+    double farthest_ = 0.0;             // of the body's corners from the rear axle's middle [m]
+    double steepest_parked_ = 1.0;      // sine of it
     Enter enter_;
     Bound bound_;
     double spacing_;
@@ -186,7 +200,7 @@ class Heights {
 public:
     static constexpr double nowhere = -std::numeric_limits<double>::infinity();
 
-    explicit Heights(const Lattice& lattice);
+    Heights(const Lattice& lattice, const Watch& watch);
 
     /// Parked anywhere.
     void start_parked();

@@ -21,7 +21,7 @@ std::optional<int> changes_along(const Lattice& lattice, const Start& start, int
     // Moves alternate. Those that begin forward get out after an even number of changes; beginning backward can save one.
     std::optional<int> fewest;
     for (const int first : {0, 1}) {
-        Heights heights(lattice);
+        Heights heights(lattice, watch);
         start(heights);
         const int last = fewest ? *fewest - 1 : most;
         for (int k = 0; k <= last; ++k) {
@@ -91,7 +91,7 @@ std::optional<Node> roomiest_way_out(const Heights& heights, Lattice::Goal::Wher
 void drive_away(const Lattice& lattice, const Node& out, double z, LatticePath& path) {
     const Problem& problem = lattice.problem();
     const double sine = lattice.sine(out.column);
-    const double below = problem.radius + problem.touching.right - z;
+    const double below = problem.radius + problem.body.right() - z;
     Characteristic at = characteristic(lattice, out);
     if (sine < 0.0 && below > 0.0) {
         const double back = (below / -sine + 1e-3 * problem.radius) * std::sqrt((1.0 - sine) * (1.0 + sine));
@@ -107,11 +107,20 @@ void drive_away(const Lattice& lattice, const Node& out, double z, LatticePath& 
 
 }  // namespace
 
+namespace {
+/// To find the way back all heights are needed again, last ones first: kept are a few, the others computed again.
+int moves_between_kept(int changes) { return 1 + static_cast<int>(std::sqrt(changes)); }
+}  // namespace
+
+int heights_kept(int changes) {
+    const int between = moves_between_kept(changes);
+    return 1 + changes / between + 1 + between + 2;
+}
+
 std::optional<LatticePath> path_along(const Lattice& lattice, const Start& start, int changes, const Watch& watch) {
-    // To find the way back all heights are needed again, last ones first: kept are a few, the others computed again.
-    const int between = 1 + static_cast<int>(std::sqrt(changes));
+    const int between = moves_between_kept(changes);
     std::vector<Heights> kept;
-    Heights heights(lattice);
+    Heights heights(lattice, watch);
     start(heights);
     for (int k = 0; k <= changes; ++k) {
         if (k % between == 0) kept.push_back(heights);
@@ -148,6 +157,8 @@ std::optional<LatticePath> path_along(const Lattice& lattice, const Start& start
         if (k == 0) path.z = levels.back().at(node.row, node.column);
     }
     std::reverse(path.legs.begin(), path.legs.end());
+    if (lattice.enter() == Enter::forward)
+        for (std::size_t i = 0; i + 1 < path.legs.size(); ++i) path.legs[i].nose_in = true;
     if (where == Lattice::Goal::rear) drive_away(lattice, *out, heights.at(out->row, out->column), path);
     return path;
 }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "all_maneuvers/lattice.hpp"
@@ -22,6 +23,12 @@ struct LatticePath {
     struct Leg {
         Direction direction = Direction::forward;
         std::vector<Characteristic> points;
+        bool nose_in = false;  ///< entering nose first the nose must stay in here
+
+        /// Another way to drive it.
+        [[nodiscard]] Leg with(std::vector<Characteristic> others) const {
+            return {direction, std::move(others), nose_in};
+        }
     };
     double z = 0.0;  ///< height at the start [m]
     std::vector<Leg> legs;
@@ -37,6 +44,9 @@ using Start = std::function<void(Heights&)>;
 
 /// Fewest direction changes, up to `most`, with which the car leaves along the lattice of upper bounds; empty if none.
 std::optional<int> changes_along(const Lattice& lattice, const Start& start, int most, const Watch& watch);
+
+/// Copies of the heights that are in memory while the path with so many changes is found.
+int heights_kept(int changes);
 
 /// A path with so many changes; empty if there is none.
 std::optional<LatticePath> path_along(const Lattice& lattice, const Start& start, int changes, const Watch& watch);

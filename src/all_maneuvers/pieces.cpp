@@ -18,25 +18,68 @@ constexpr int most_bridges = 20'000;         ///< short cuts looked for in a rou
 constexpr std::size_t ways_across = 12;      ///< tried for each
 constexpr int most_rounds = 4;
 constexpr double touching = 1e-9;  ///< closer to its end than this a move ends in contact [m]
+constexpr double half_turn = 3.14159265358979323846;
 
 }  // namespace
 
-Ground::Ground(const Car& asked, const Slot& asked_slot, Enter way_in, double keeps)
-    : car(asked), slot({.length = asked_slot.length(), .width = asked_slot.width()}), clearance(keeps), enter(way_in) {
-    if (enter == Enter::backward) return;
-    CarDimensions dimensions = asked.dimensions();
-    std::swap(dimensions.front, dimensions.rear);
-    car = Car(dimensions);
+namespace {
+
+Car seen_entering(const Car& car, const Slot& slot, Enter enter) {
+    const Car on_the_right = slot.side() == Side::left ? car.mirrored() : car;
+    return enter == Enter::forward ? on_the_right.turned_about() : on_the_right;
+}
+
+Slot seen_entering(const Slot& slot, Enter enter) {
+    SlotDimensions seen = slot.dimensions();
+    seen.side = Side::right;
+    seen.corner = {};
+    seen.heading = 0.0;
+    if (enter == Enter::forward) std::swap(seen.front_setback, seen.rear_setback);
+    return Slot(seen);
+}
+
+Point placed(const Point& point, const Pose& pose) {
+    const auto [s, c] = angles::sine_cosine(pose.heading);
+    return {pose.x + point.x * c - point.y * s, pose.y + point.x * s + point.y * c};
+}
+
+}  // namespace
+
+Ground::Ground(const Car& asked, const Slot& asked_slot, const Driving& asked_driving, const Parked& parked)
+    : car(seen_entering(asked, asked_slot, asked_driving.enter)),
+      slot(seen_entering(asked_slot, asked_driving.enter)),
+      driving(asked_driving),
+      problem(entering_problem(asked, asked_slot, asked_driving, parked)),
+      side(problem.body) {}
+
+Point Ground::front_corner(const Pose& pose) const { return placed(side.front, pose); }
+
+FirstContact contact_on(const Ground& ground, const Pose& start, Direction direction, double steering_angle) {
+    return first_contact(ground.car, ground.slot, start, direction, steering_angle, ground.driving);
 }
 
 namespace {
 
-/// The front-right or, behind, the rear-right corner of the grown frame.
-Point right_corner(const Ground& ground, const Pose& pose, double ahead) {
-    const double along = ahead + (ahead > 0.0 ? ground.clearance : -ground.clearance);
-    const double right = ground.car.width() / 2.0 + ground.clearance;
-    const auto [s, c] = angles::sine_cosine(pose.heading);
-    return {pose.x + along * c + right * s, pose.y + along * s - right * c};
+/// How high a point of the car comes on a move, and how low. [m]
+struct Rise {
+    double lowest, highest;
+};
+Rise rise(const Ground& ground, const Move& move, const Point& point) {
+    const auto height = [&](const Pose& pose) { return placed(point, pose).y; };
+    const double start = height(move.start), end = height(move.end);
+    Rise rise{std::min(start, end), std::max(start, end)};
+    const double curvature = angles::tan(move.steering_angle) / ground.car.wheelbase();
+    if (curvature == 0.0) return rise;
+    // Where its path is level: it turns with the car.
+    const double turning = move.direction == Direction::forward ? curvature : -curvature;
+    const double level = -angles::atan2(curvature * point.x, 1.0 - curvature * point.y) - move.start.heading;
+    for (int half_turns = -3; half_turns <= 3; ++half_turns) {
+        const double distance = (level + half_turns * half_turn) / turning;
+        if (!(distance > 0.0 && distance < move.length)) continue;
+        const double there = height(drive(ground.car, move.start, move.direction, move.steering_angle, distance));
+        rise = {std::min(rise.lowest, there), std::max(rise.highest, there)};
+    }
+    return rise;
 }
 
 /// The way out as a polyline in characteristic coordinates: a straight segment there is an arc or a line on the road,
@@ -67,9 +110,7 @@ private:
     /// The piece to a point, contacts not looked at; empty where no heading leads there.
     [[nodiscard]] std::optional<Move> piece(const Pose& from, Direction direction, const Characteristic& to) const;
     [[nodiscard]] bool free(const Move& move) const {
-        return first_contact(ground_.car, ground_.slot, move.start, move.direction, move.steering_angle,
-                             ground_.clearance)
-                   .distance >= move.length;
+        return contact_on(ground_, move.start, move.direction, move.steering_angle).distance >= move.length;
     }
     /// Appends the pieces of a leg from the last pose on; false where one meets something.
     bool drive_leg(const LatticePath::Leg& leg, Pose& pose, std::vector<Move>& moves) const;
@@ -77,7 +118,6 @@ private:
     [[nodiscard]] std::vector<Move> driven(const Plan& plan) const;
     /// Ends the last move where the front-right corner passes x = 0 and checks the way from there.
     [[nodiscard]] bool cut_at_p(std::vector<Move>& moves) const;
-    [[nodiscard]] Point corner(const Pose& pose) const { return right_corner(ground_, pose, ground_.car.front()); }
     /// Few points for a leg from here on.
     [[nodiscard]] std::optional<LatticePath::Leg> fewer_points(const LatticePath::Leg& leg, Pose pose) const;
     /// Part of a plan that is free and gets out.
@@ -142,9 +182,7 @@ bool Smoother::drive_leg(const LatticePath::Leg& leg, Pose& pose, std::vector<Mo
         if (!move) return false;
         if (move->length == 0.0) continue;
         if (!free(*move)) return false;
-        if (ground_.enter == Enter::forward && move->direction == Direction::backward &&
-            right_corner(ground_, move->end, -ground_.car.rear()).y > touching)
-            return false;  // the nose would come out again
+        if (leg.nose_in && rise(ground_, *move, ground_.side.rear).highest > touching) return false;
         moves.push_back(*move);
         pose = move->end;
     }
@@ -152,19 +190,19 @@ bool Smoother::drive_leg(const LatticePath::Leg& leg, Pose& pose, std::vector<Mo
 }
 
 bool Smoother::cut_at_p(std::vector<Move>& moves) const {
-    while (!moves.empty() && corner(moves.back().start).x > 0.0) moves.pop_back();
-    if (moves.empty() || !(corner(moves.back().end).x > 0.0)) return false;
+    const auto past_p = [&](const Pose& pose) { return ground_.front_corner(pose).x > 0.0; };
+    while (!moves.empty() && past_p(moves.back().start)) moves.pop_back();
+    if (moves.empty() || !past_p(moves.back().end)) return false;
     Move& last = moves.back();
     double before = 0.0, after = last.length;
     for (;;) {
         const double middle = before + (after - before) / 2.0;
         if (middle <= before || middle >= after) break;
-        (corner(drive(ground_.car, last.start, last.direction, last.steering_angle, middle)).x > 0.0 ? after : before) =
-            middle;
+        (past_p(drive(ground_.car, last.start, last.direction, last.steering_angle, middle)) ? after : before) = middle;
     }
     last.length = before;
     last.end = drive(ground_.car, last.start, last.direction, last.steering_angle, before);
-    if (!(corner(last.end).y >= 0.0)) return false;
+    if (!(ground_.above_p(last.end) >= 0.0)) return false;
     // From here straight on, or, nose down, full left until level; no entry position is nose down.
     Pose pose = last.end;
     if (pose.heading < 0.0) {
@@ -175,7 +213,7 @@ bool Smoother::cut_at_p(std::vector<Move>& moves) const {
         pose = level->end;
     }
     pose.y += touching;
-    return !first_contact(ground_.car, ground_.slot, pose, Direction::forward, 0.0, ground_.clearance).contact;
+    return !contact_on(ground_, pose, Direction::forward, 0.0).contact;
 }
 
 std::vector<Move> Smoother::driven(const Plan& plan) const {
@@ -184,18 +222,19 @@ std::vector<Move> Smoother::driven(const Plan& plan) const {
     for (const LatticePath::Leg& leg : plan.legs)
         if (!drive_leg(leg, pose, moves)) return {};
     if (!cut_at_p(moves)) return {};
+    if (ground_.driving.enter == Enter::forward && !nose_comes_out_once(ground_, moves)) return {};
     return moves;
 }
 
 std::optional<LatticePath::Leg> Smoother::fewer_points(const LatticePath::Leg& leg, Pose pose) const {
     // Full left and then full right climbs more than any other way to the same point: taken as far as it is free.
-    LatticePath::Leg few{leg.direction, {}};
+    LatticePath::Leg few = leg.with({});
     std::size_t at = 0;
     while (at + 1 < leg.points.size()) {
         std::size_t step = leg.points.size() - 1 - at;
         for (;; step = (step + 1) / 2) {
             const Characteristic& to = leg.points[at + step];
-            LatticePath::Leg jump{leg.direction, {to}};
+            LatticePath::Leg jump = leg.with({to});
             if (step > 1) jump.points.insert(jump.points.begin(), {characteristic(pose).a, to.b});
             Pose end = pose;
             std::vector<Move> moves;
@@ -222,10 +261,10 @@ std::optional<LatticePath::Leg> Smoother::bridge(const LatticePath::Leg& leg, st
         highest = end.y;
         best = std::move(way);
     };
-    consider({leg.direction, {leg.points[to]}});
+    consider(leg.with({leg.points[to]}));
     if (best || to - from < 2) return best;
     const std::size_t step = std::max<std::size_t>(1, (to - from) / ways_across);
-    for (std::size_t by = from; by < to; by += step) consider({leg.direction, {leg.points[by], leg.points[to]}});
+    for (std::size_t by = from; by < to; by += step) consider(leg.with({leg.points[by], leg.points[to]}));
     return best;
 }
 
@@ -262,16 +301,16 @@ std::vector<std::vector<Smoother::Piece>> Smoother::pieces(const Plan& plan, dou
 void Smoother::straighten(Plan& plan) const {
     const std::vector<Move> whole = driven(plan);
     if (whole.empty()) return;
-    const std::vector<std::vector<Piece>> planned = pieces(plan, std::max(0.0, corner(whole.back().end).y));
+    const std::vector<std::vector<Piece>> planned = pieces(plan, std::max(0.0, ground_.above_p(whole.back().end)));
     Plan straight{plan.start, {}};
     Pose pose = plan.start;
     int tries = most_bridges;
     for (std::size_t i = 0; i < planned.size(); ++i) {
         const LatticePath::Leg& leg = plan.legs[i];
-        LatticePath::Leg& few = straight.legs.emplace_back(LatticePath::Leg{leg.direction, {}});
+        LatticePath::Leg& few = straight.legs.emplace_back(leg.with({}));
         std::size_t last = leg.points.size();
         if (i + 1 == planned.size())  // the piece that passes p stays
-            while (last > 0 && corner(planned[i][last - 1].end).x > -touching) --last;
+            while (last > 0 && ground_.front_corner(planned[i][last - 1].end).x > -touching) --last;
         std::size_t step = last;
         for (std::size_t at = 0; at < leg.points.size(); at += step) {
             std::optional<LatticePath::Leg> way;
@@ -279,11 +318,12 @@ void Smoother::straighten(Plan& plan) const {
             for (; !way && step > 1; --tries) {
                 const Piece& to = planned[i][at + step - 1];
                 // Nose first the car must not come out again, so it stays below the planned way.
-                way = bridge(leg, at, at + step - 1, pose, to.least,
-                             ground_.enter == Enter::forward ? to.end.y : std::numeric_limits<double>::infinity());
+                way = bridge(
+                    leg, at, at + step - 1, pose, to.least,
+                    ground_.driving.enter == Enter::forward ? to.end.y : std::numeric_limits<double>::infinity());
                 if (!way) step = step > 2 ? (step + 1) / 2 : 1;
             }
-            if (!way) way = LatticePath::Leg{leg.direction, {leg.points[at]}};
+            if (!way) way = leg.with({leg.points[at]});
             std::vector<Move> moves;
             if (!drive_leg(*way, pose, moves)) return;
             few.points.insert(few.points.end(), way->points.begin(), way->points.end());
@@ -322,7 +362,7 @@ bool Smoother::sink_to_p(Plan& plan, const std::function<Plan(double)>& less) co
     }
     const Plan lowest = less(works);
     const std::vector<Move> moves = driven(lowest);
-    if (moves.empty() || corner(moves.back().end).y > touching) return false;
+    if (moves.empty() || ground_.above_p(moves.back().end) > touching) return false;
     plan = lowest;
     return true;
 }
@@ -384,7 +424,7 @@ bool Smoother::turn_right_earlier(Plan& plan) const {
 bool Smoother::start_lower(Plan& plan) const {
     const Plan whole = plan;
     const std::vector<Move> moves = driven(whole);
-    const double height = corner(moves.back().end).y;
+    const double height = ground_.above_p(moves.back().end);
     return sink_to_p(plan, [&](double part) {
         Plan lower = whole;
         lower.start.y -= (1.0 - part) * 1.001 * height;
@@ -410,7 +450,7 @@ std::vector<Move> Smoother::leaving(const LatticePath& path, Finish finish) cons
     std::vector<Characteristic>& points = plan.legs.back().points;
     if (points.empty()) points.push_back(characteristic(pose));
     const Characteristic end = points.back();
-    const double short_of_p = std::max(0.0, -corner(pose).x) * 2.0 + 1e-3 * radius_;
+    const double short_of_p = std::max(0.0, -ground_.front_corner(pose).x) * 2.0 + 1e-3 * radius_;
     points.push_back({pose.heading >= 0.0 ? end.a + short_of_p : end.a, end.b + short_of_p});
     moves = driven(plan);
     if (finish == Finish::checked || moves.empty()) return moves;
@@ -442,17 +482,31 @@ std::vector<Move> turned_round(const std::vector<Move>& moves) {
 
 std::vector<Move> with_contacts(const Ground& ground, std::vector<Move> moves) {
     for (Move& move : moves) {
-        const FirstContact met =
-            first_contact(ground.car, ground.slot, move.start, move.direction, move.steering_angle, ground.clearance);
+        const FirstContact met = contact_on(ground, move.start, move.direction, move.steering_angle);
         move.contact.reset();
         if (std::abs(met.distance - move.length) <= touching) move.contact = met.contact;
     }
     return moves;
 }
 
+bool nose_comes_out_once(const Ground& ground, const std::vector<Move>& leaving) {
+    std::size_t last = leaving.size();  // move
+    while (last > 0 && leaving[last - 1].direction == Direction::forward) --last;
+    bool out = false;
+    for (std::size_t i = 0; i < leaving.size(); ++i) {
+        const Rise corner = rise(ground, leaving[i], ground.side.rear);
+        if (i < last && corner.highest > touching) return false;
+        if (out && corner.lowest < -touching) return false;
+        const bool comes_out = placed(ground.side.rear, leaving[i].end).y > touching;
+        if (!comes_out && corner.highest > touching) return false;
+        out = comes_out;
+    }
+    return true;
+}
+
 bool ends_at_p(const Ground& ground, const std::vector<Move>& moves) {
-    const Point corner = right_corner(ground, moves.back().end, ground.car.front());
-    return angles::hypot(corner.x, corner.y) <= touching;
+    const Pose& end = moves.back().end;
+    return angles::hypot(ground.front_corner(end).x, ground.above_p(end)) <= touching;
 }
 
 }  // namespace snug::detail

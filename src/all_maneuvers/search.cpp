@@ -16,9 +16,16 @@ namespace {
 constexpr double most_changes = 1000.0;
 constexpr double usual_part = 1e-4;  ///< of the car's length: the usual resolution
 constexpr double coarsest_part = 1.0 / 128;
+constexpr double least_in_radius = 64.0;   ///< spacings in a turning radius (see steepest_sine)
+constexpr int most_at_hand = 40;           ///< changes
 constexpr double well_known = 1.0 / 1000;  ///< of the car's length: the next lattice shows what the finest takes
-constexpr double most_memory = 4e9;        ///< [bytes]
-constexpr double memory_per_cell = 40.0;   ///< both lattices, and the way back [bytes]
+constexpr double most_memory = 1.8e9;      ///< [bytes]
+
+/// What both lattices take, and with them so many copies of the heights. [bytes]
+double memory_of(const LeavingQuestion& question, double cells, int heights) {
+    const int lattices = question.ground.driving.enter == Enter::forward ? 4 : 2;
+    return cells * static_cast<double>(sizeof(double)) * (lattices + heights);
+}
 
 /// A chain of sweeps whose last one, after `last` changes, goes forward.
 struct Chain {
@@ -30,7 +37,7 @@ Chain run_chain(const Lattice& lattice, const LeavingQuestion& question, int las
                 const Watch& watch) {
     Chain chain;
     if (lattice.may_park_upright()) chain.out = 0;
-    Heights heights(lattice);
+    Heights heights(lattice, watch);
     question.start(heights);
     for (int k = 0; k <= last; ++k) {
         const Direction direction = direction_at(k, last);
@@ -45,11 +52,12 @@ Chain run_chain(const Lattice& lattice, const LeavingQuestion& question, int las
 
 /// No lattice is coarser: there the headings next to upright, which it leaves out, are few.
 double coarsest_sensible(const LeavingQuestion& question) {
-    return std::min(coarsest_part * question.ground.car.length(), question.problem.radius / 64.0);
+    return std::min(coarsest_part * question.ground.car.length(), question.ground.problem.radius / least_in_radius);
 }
 
 double finest(const LeavingQuestion& question) {
-    const double usual = std::min(usual_part * question.ground.car.length(), question.problem.radius / 64.0);
+    const double usual =
+        std::min(usual_part * question.ground.car.length(), question.ground.problem.radius / least_in_radius);
     return question.resolution > 0.0 ? std::min(question.resolution, coarsest_sensible(question)) : usual;
 }
 
@@ -60,23 +68,30 @@ double coarsest(const LeavingQuestion& question) {
     return spacing;
 }
 
+/// Whether even the coarsest lattice takes too much memory, as in slots thousands of times as long as the car.
+bool too_large(const LeavingQuestion& question) {
+    const Problem& problem = question.ground.problem;
+    return memory_of(question, Lattice::most_cells(problem, coarsest(question)), 2) > most_memory;
+}
+
 /// Bounds on lattices from the coarsest to the finest, as far as `depth` changes; false when that is not enough.
 bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds, const Watch& watch) {
     std::optional<Rows> reached;
+    if (too_large(question)) return true;
     for (double spacing = coarsest(question); spacing > 0.999 * finest(question); spacing /= 2.0) {
         const int last = bounds.upper ? *bounds.upper - 1 : depth;
         if (last < bounds.lower) return bounds.upper || depth == question.max_changes;
         if (reached && spacing <= well_known * question.ground.car.length()) {
             const double finer = spacing / finest(question);
-            const double memory = 4.0 * static_cast<double>(reached->cells()) * memory_per_cell;
+            const double memory = memory_of(question, 4.0 * static_cast<double>(reached->cells()), 2);
             if (question.resolution > 0.0 && memory * finer * finer > most_memory)
                 throw Error("resolution is " + spelled(question.resolution) + " m, but the lattice for that takes " +
                             spelled(std::ceil(memory * finer * finer / 1e9)) + " GB of memory; it must be at least " +
                             spelled(question.resolution * std::sqrt(memory * finer * finer / most_memory)) + " m");
             if (memory > most_memory) return true;
         }
-        const Lattice lower(question.problem, question.ground.enter, Bound::lower, spacing, question.anchor,
-                            reached ? &*reached : nullptr, watch);
+        const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, spacing,
+                            question.anchor, reached ? &*reached : nullptr, watch);
         Chain chain = run_chain(lower, question, last, true, watch);
         bounds.spacing = spacing;
         const int none_below = chain.out ? *chain.out - 1 : last + 1;
@@ -89,9 +104,11 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
         if (bounds.meet()) return true;
         if (!chain.out && !bounds.upper) return depth == question.max_changes;
 
-        const Lattice upper(lower, question.problem, Bound::upper, watch);
+        const Lattice upper(lower, question.ground.problem, Bound::upper, watch);
         const std::optional<int> changes = changes_along(upper, question.start, last, watch);
+        const double cells = static_cast<double>(upper.rows().cells());
         for (int k = changes.value_or(last + 1); k <= std::min(last, changes.value_or(0) + 1); ++k) {
+            if (memory_of(question, cells, heights_kept(k)) > most_memory) break;
             const std::optional<LatticePath> path = path_along(upper, question.start, k, watch);
             std::vector<Move> moves;
             if (path) moves = leaving_moves(question.ground, *path, Finish::checked, watch);
@@ -108,9 +125,34 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
 
 }  // namespace
 
+std::vector<Move> moves_at_hand(const LeavingQuestion& question, const Watch& watch) {
+    if (too_large(question)) return {};
+    const Problem& problem = question.ground.problem;
+    const double spacing = problem.radius / least_in_radius;
+    const Lattice upper(problem, question.ground.driving.enter, Bound::upper, spacing, question.anchor, nullptr, watch);
+    const int most = std::min(question.max_changes, most_at_hand);
+    const std::optional<int> fewest = changes_along(upper, question.start, most, watch);
+    for (int k = fewest.value_or(most + 1); k <= std::min(most, fewest.value_or(0) + 2); ++k) {
+        const std::optional<LatticePath> path = path_along(upper, question.start, k, watch);
+        std::vector<Move> moves;
+        if (path) moves = leaving_moves(question.ground, *path, Finish::checked, watch);
+        if (!moves.empty()) return moves;
+    }
+    return {};
+}
+
+void fall_back_on(std::vector<Move> at_hand, const Car& car, LeavingBounds& bounds) {
+    if (at_hand.empty()) return;
+    const int changes = Maneuver{car, at_hand}.direction_changes();
+    if (bounds.upper && *bounds.upper <= changes) return;
+    bounds.upper = changes;
+    bounds.moves = std::move(at_hand);
+}
+
 int sensible_depth(const LeavingQuestion& question, const Watch& watch) {
-    const Lattice lower(question.problem, question.ground.enter, Bound::lower, coarsest(question), question.anchor,
-                        nullptr, watch);
+    if (too_large(question)) return question.max_changes;
+    const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, coarsest(question),
+                        question.anchor, nullptr, watch);
     const std::optional<int> guess = run_chain(lower, question, question.max_changes, false, watch).out;
     return guess ? std::min(question.max_changes, 2 * *guess + 10) : question.max_changes;
 }
@@ -126,17 +168,17 @@ std::vector<Move> roomiest_moves(const LeavingQuestion& question, const LeavingB
     const int changes = *bounds.upper;
     const Car& car = question.ground.car;
     const auto keeping = [&](double distance) {
-        Problem problem = question.problem;
-        for (double* extent :
-             {&problem.touching.front, &problem.touching.left, &problem.touching.rear, &problem.touching.right})
-            *extent += distance;
+        Problem problem = question.ground.problem;
+        problem.body = problem.body.grown(distance);
+        problem.at_curb = problem.at_curb.grown(distance);
         return problem;
     };
     std::optional<Rows> reached;
+    if (too_large(question)) return {};
     double spacing = coarsest(question);
     for (; spacing > std::max(0.999 * finest(question), 2e-4 * car.length()); spacing /= 2.0) {
-        const Lattice lower(question.problem, question.ground.enter, Bound::lower, spacing, question.anchor,
-                            reached ? &*reached : nullptr, watch);
+        const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, spacing,
+                            question.anchor, reached ? &*reached : nullptr, watch);
         reached = run_chain(lower, question, changes, true, watch).reached;
         if (spacing > 1e-3 * car.length()) continue;
         // The greatest distance with which the car still gets out.
@@ -181,7 +223,8 @@ void make_drivable(const LeavingQuestion& question, LeavingBounds& bounds, bool 
 
 void check(const FewestOptions& options) {
     check_between("maximum of direction changes", options.max_changes, 0.0, most_changes, "");
-    check_between("clearance", options.driving.clearance, 0.0, 1e6, " m");
+    check(options.driving);
+    check(options.parked);
     check_between("resolution", options.resolution, 0.0, 1e6, " m");
     check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
 }
@@ -210,7 +253,7 @@ Answer answer_of(const LeavingQuestion& question, LeavingBounds bounds, const Ca
     answer.proved = bounds.meet() || bounds.lower > question.max_changes;
     answer.spacing = bounds.spacing;
     if (bounds.moves.empty()) return answer;
-    const Enter enter = question.ground.enter;
+    const Enter enter = question.ground.driving.enter;
     std::vector<Move> moves =
         with_contacts(question.ground, driven_in ? turned_round(bounds.moves) : std::move(bounds.moves));
     for (Move& move : moves) {

@@ -12,7 +12,6 @@ namespace snug::detail {
 /// From where to leave, and how closely to look. All in the entering frame.
 struct LeavingQuestion {
     Ground ground;
-    Problem problem;
     Start start;
     Anchor anchor = {};
     int max_changes = 200;
@@ -32,6 +31,13 @@ struct LeavingBounds {
     [[nodiscard]] bool meet() const { return upper && *upper == lower; }
 };
 
+/// A way out as the coarsest lattice there can be shows it: found in a millisecond or so, and seldom the best; empty if it
+/// shows none.
+std::vector<Move> moves_at_hand(const LeavingQuestion& question, const Watch& watch);
+
+/// Makes those the upper bound where nothing better was found.
+void fall_back_on(std::vector<Move> at_hand, const Car& car, LeavingBounds& bounds);
+
 /// How many changes to look at first: what the coarsest lattice says, and some more.
 int sensible_depth(const LeavingQuestion& question, const Watch& watch);
 
@@ -46,8 +52,12 @@ void make_drivable(const LeavingQuestion& question, LeavingBounds& bounds, bool 
 
 /// Throws Error unless the options are possible.
 void check(const FewestOptions& options);
-/// Whether the car, flush with the curb or with what it keeps from it, can only go straight on.
-inline bool never_turns(const Car& car) { return car.front() > 0.0 && car.rear() > 0.0; }
+/// Whether the car, flush with the curb or with what it keeps from it, can only go straight on: what touches there reaches
+/// ahead of the rear axle and behind it (docs/fewest.md).
+inline bool never_turns(const Problem& problem) {
+    const RightSide side(problem.at_curb);
+    return side.front.x > 0.0 && side.rear.x < 0.0;
+}
 /// Proved impossible without a search.
 Answer impossible(int max_changes);
 /// The bounds as an answer; `from_entry` when the moves are to be driven in.

@@ -23,13 +23,16 @@ void measure_row_in_vectors(double* needed, const Limits& limits, std::size_t fi
     const std::size_t lanes = hn::Lanes(tag);
     for (std::size_t i = 0; i < count; i += lanes) {
         const auto of = [&](const std::vector<double>& numbers) { return hn::LoadU(tag, numbers.data() + first + i); };
-        const auto curb = of(limits.curb);
-        const auto front =
-            hn::Add(of(limits.front_at_0), hn::Mul(of(limits.front_slope), hn::Min(here, of(limits.front_level))));
-        const auto rear =
-            hn::Add(of(limits.rear_at_0), hn::Mul(of(limits.rear_slope), hn::Max(here, of(limits.rear_level))));
-        auto lowest = hn::IfThenElse(hn::Gt(here, of(limits.front_from)), hn::Max(curb, front), curb);
-        lowest = hn::IfThenElse(hn::Lt(here, of(limits.rear_to)), hn::Max(lowest, rear), lowest);
+        auto lowest = of(limits.curb);
+        const auto raise = [&](const Neighbour& neighbour, auto beyond) {
+            if (hn::AllFalse(tag, beyond)) return;
+            auto least = of(neighbour.level);
+            for (const Neighbour::Lines& lines : neighbour.lines)
+                least = hn::Min(least, hn::Add(of(lines.at_0), hn::Mul(of(lines.slope), here)));
+            lowest = hn::IfThenElse(beyond, hn::Max(lowest, least), lowest);
+        };
+        raise(limits.front, hn::Gt(here, of(limits.front.wall)));
+        raise(limits.rear, hn::Lt(here, of(limits.rear.wall)));
         const auto within = hn::And(hn::Ge(here, of(limits.from)), hn::Le(here, of(limits.to)));
         lowest = hn::IfThenElse(within, lowest, nowhere_free);
         if (i + lanes <= count) {

@@ -1,11 +1,10 @@
 #include "snug/contact.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
+#include "contact/parking.hpp"
 #include "contact/turning.hpp"
 #include "model/angles.hpp"
 #include "model/check.hpp"
@@ -19,10 +18,9 @@ using namespace detail;
 constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double touching_part = 1e-9;      ///< of the car's length: closer is touching, deeper is overlapping
 constexpr double straight_bend = 1e-9;      ///< curvature below which a move starts as a straight line [1/m]
-constexpr std::size_t quarters_around = 5;  ///< a full circle touches that many quarter turns
 constexpr double full_circle_slack = 1e-9;  ///< how much of one is left when what touched at the start touches again
 
-/// One move in a frame where the car turns clockwise or drives straight: the slot frame or its mirror image in x.
+/// One move in a frame where the car turns clockwise or drives straight: the slot frame, or seen nose first.
 struct PlainMove {
     Problem problem;
     Pose start;
@@ -34,102 +32,150 @@ struct PlainMove {
 struct Meeting {
     double distance = std::numeric_limits<double>::infinity();
     Meets meets = Meets::nothing;
-    int quarter = 0;
+    int part = 0;  ///< which corner or edge, by its index in the outline
 };
 
-QuarterHeading in_quarters(double heading) {
-    const double quarter = std::floor(heading / quarter_turn);
-    const double within = std::max(0.0, heading - quarter * quarter_turn);
-    const auto [s, c] = angles::sine_cosine(within);
-    return {std::max(0.0, c), s, static_cast<int>(-quarter)};
+const Point& corner_of(const Outline& outline, int index) { return outline.corners()[static_cast<std::size_t>(index)]; }
+
+const Point& next_corner(const Outline& outline, int index) {
+    return outline.corners()[(static_cast<std::size_t>(index) + 1) % outline.corners().size()];
 }
 
-const QuarterFrame& frame_of(const TurningFrame& frames, int quarter) {
-    return frames[static_cast<std::size_t>(quarter & 3)];
+Point outward_normal(const Outline& outline, int edge) {
+    const Point& from = corner_of(outline, edge);
+    const Point& to = next_corner(outline, edge);
+    const double length = angles::hypot(to.x - from.x, to.y - from.y);
+    return {(to.y - from.y) / length, (from.x - to.x) / length};
 }
 
-/// A point of the frame or the slot, moving along a line while the car drives straight.
-struct Sliding {
-    double x, y;    // at the start
-    double dx, dy;  // per metre
+/// An outline in the frame of the move, with the heading's direction.
+struct Standing {
+    Pose pose;
+    double s, c;
+
+    explicit Standing(const Pose& at) : pose(at) {
+        const auto [sine, cosine] = angles::sine_cosine(at.heading);
+        s = sine;
+        c = cosine;
+    }
+    [[nodiscard]] Point turned(const Point& own) const { return {own.x * c - own.y * s, own.x * s + own.y * c}; }
+    [[nodiscard]] Point at(const Point& own) const {
+        const Point turned_own = turned(own);
+        return {pose.x + turned_own.x, pose.y + turned_own.y};
+    }
 };
 
-Meeting first_met_straight(const PlainMove& move, const TurningFrame& frames) {
+Point corner_met(const Problem& problem, Meets meets) {
+    return meets == Meets::front_corner ? Point{0.0, -problem.front_setback}
+                                        : Point{-problem.length, -problem.rear_setback};
+}
+
+Meeting first_met_straight(const PlainMove& move) {
     const Problem& problem = move.problem;
-    const QuarterHeading now = in_quarters(move.start.heading);
-    const QuarterFrame& frame = frame_of(frames, now.quarter);
-    const auto [sine, cosine] = angles::sine_cosine(move.start.heading);
-    const double dx = move.forward * cosine;
-    const double dy = move.forward * sine;
+    const Standing car(move.start);
+    const double dx = move.forward * car.c;
+    const double dy = move.forward * car.s;
     Meeting first;
-    first.quarter = now.quarter;
-    const auto consider = [&](double gap, double closing, Meets meets, auto touches_at) {
+    const auto consider = [&](double gap, double closing, Meets meets, std::size_t part, auto touches_at) {
         if (!(closing > 0.0) || gap < -problem.touch) return;
         const double distance = std::max(0.0, gap / closing);
         if (distance < first.distance && touches_at(distance)) {
             first.distance = distance;
             first.meets = meets;
+            first.part = static_cast<int>(part);
         }
     };
-    const auto corner = [&](const TurningCorner& of) {
-        return Sliding{move.start.x + of.x * now.c - of.y * now.s, move.start.y + of.x * now.s + of.y * now.c, dx, dy};
-    };
-    const Sliding right = corner(frame.rightmost);
-    const Sliding left = corner(frame.leftmost);
-    const Sliding low = corner(frame.lowest);
-    // Touching a wall where it ends counts only for what does not slide past the end.
-    const auto beside = [&](const Sliding& point) {
-        return [&point, &problem](double distance) {
-            const double y = point.y + point.dy * distance;
-            return y <= -problem.touch || (y <= problem.touch && point.dy < 0.0);
-        };
-    };
-    consider(-right.x, dx, Meets::front_side, beside(right));
-    consider(left.x + problem.length, -dx, Meets::rear_side, beside(left));
-    consider(low.y + problem.width, -dy, Meets::curb, [](double) { return true; });
+    const double front_top = -problem.front_setback;
+    const double rear_top = -problem.rear_setback;
     const auto lands = [&problem](double beyond_end, double speed) {
         return beyond_end > problem.touch || (beyond_end >= -problem.touch && speed > 0.0);
     };
-    consider(low.y, -dy, Meets::front_top, [&](double distance) { return lands(low.x + dx * distance, dx); });
-    consider(low.y, -dy, Meets::rear_top,
-             [&](double distance) { return lands(-problem.length - low.x - dx * distance, -dx); });
+    const std::vector<Point>& corners = problem.body.corners();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point point = car.at(corners[i]);
+        // Touching a wall where it ends counts only for what does not slide past the end.
+        const auto below = [&](double top) {
+            return [&, top](double distance) {
+                const double y = point.y + dy * distance - top;
+                return y <= -problem.touch || (y <= problem.touch && dy < 0.0);
+            };
+        };
+        consider(-point.x, dx, Meets::front_side, i, below(front_top));
+        consider(point.x + problem.length, -dx, Meets::rear_side, i, below(rear_top));
+        consider(point.y - front_top, -dy, Meets::front_top, i,
+                 [&](double distance) { return lands(point.x + dx * distance, dx); });
+        consider(point.y - rear_top, -dy, Meets::rear_top, i,
+                 [&](double distance) { return lands(-problem.length - point.x - dx * distance, -dx); });
+    }
+    const std::vector<Point>& low = problem.at_curb.corners();
+    for (std::size_t i = 0; i < low.size(); ++i)
+        consider(car.at(low[i]).y + problem.width, -dy, Meets::curb, i, [](double) { return true; });
 
-    const auto seen = [&](double x) {  // a slot corner at (x, 0) seen from the car
-        const double gx = x - move.start.x;
-        const double gy = -move.start.y;
-        return Sliding{gx * now.c + gy * now.s, gy * now.c - gx * now.s, -(dx * now.c + dy * now.s),
-                       -(dy * now.c - dx * now.s)};
-    };
-    const auto between = [&](double at, double speed, double low_end, double high_end) {
-        return (at > low_end + problem.touch || (at >= low_end - problem.touch && speed > 0.0)) &&
-               (at < high_end - problem.touch || (at <= high_end + problem.touch && speed < 0.0));
-    };
-    const Sliding front = seen(0.0);
-    consider(frame.lowest.y - front.y, front.dy, Meets::front_corner, [&](double distance) {
-        return between(front.x + front.dx * distance, front.dx, frame.lowest.x, frame.rightmost.x);
-    });
-    const Sliding rear = seen(-problem.length);
-    consider(frame.lowest.x - rear.x, rear.dx, Meets::rear_corner, [&](double distance) {
-        return between(rear.y + rear.dy * distance, rear.dy, frame.lowest.y, frame.leftmost.y);
-    });
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point normal = car.turned(outward_normal(problem.body, static_cast<int>(i)));
+        if (!(normal.y < 0.0) || normal.x == 0.0) continue;
+        const Meets meets = normal.x > 0.0 ? Meets::front_corner : Meets::rear_corner;
+        const Point from = car.at(corners[i]);
+        const Point to = car.at(corners[(i + 1) % corners.size()]);
+        const Point fixed = corner_met(problem, meets);
+        const Point way = {-normal.y, normal.x};
+        const double along = (fixed.x - from.x) * way.x + (fixed.y - from.y) * way.y;
+        const double length = (to.x - from.x) * way.x + (to.y - from.y) * way.y;
+        const double gap = (fixed.x - from.x) * normal.x + (fixed.y - from.y) * normal.y;
+        const double speed = -(dx * way.x + dy * way.y);  // of the corner, along the edge
+        // At an end of the edge, does the corner move away over what comes next?
+        const auto passes = [&](std::size_t neighbour) {
+            const Point other = car.turned(outward_normal(problem.body, static_cast<int>(neighbour)));
+            return other.x * dx + other.y * dy <= 0.0;
+        };
+        consider(gap, dx * normal.x + dy * normal.y, meets, i, [&](double distance) {
+            const double at = along + speed * distance;
+            if (at < -problem.touch || at > length + problem.touch) return false;
+            if (at <= problem.touch && passes((i + corners.size() - 1) % corners.size())) return false;
+            return at < length - problem.touch || !passes((i + 1) % corners.size());
+        });
+    }
     return first;
 }
 
-Meeting first_met_turning(const PlainMove& move, const TurningFrame& frames, double centre_x, double centre_y) {
-    const QuarterHeading start = in_quarters(move.start.heading);
-    QuarterHeading now = start;
-    for (std::size_t i = 0; i < quarters_around; ++i) {
-        const QuarterContact contact =
-            first_contact_in_quarter(frame_of(frames, now.quarter), centre_x, centre_y, move.problem, now.c, now.s);
-        const bool full_circle = i + 1 == quarters_around && contact.order < start.order() + full_circle_slack;
-        if (contact.meets != Meets::nothing && !full_circle) {
-            const double turned = (now.quarter - start.quarter) * quarter_turn + angles::atan2(start.s, start.c) -
-                                  angles::atan2(contact.s, contact.c);
-            return {turned / std::abs(move.curvature), contact.meets, now.quarter};
+/// How the heading has turned, clockwise, from one to another. [rad]
+double turned(const QuarterHeading& from, const QuarterHeading& to) {
+    return (to.quarter - from.quarter) * quarter_turn + angles::atan2(from.s, from.c) - angles::atan2(to.s, to.c);
+}
+
+struct Turning {
+    TurningFrame frame;
+    double x, y;
+    QuarterHeading start;
+};
+
+/// The contact of a turn, and the heading there.
+struct TurnMet {
+    Meeting meeting;
+    QuarterHeading at;
+};
+
+TurnMet first_met_turning(const PlainMove& move, const Turning& turn) {
+    const TurningFrame& frame = turn.frame;
+    QuarterHeading now = turn.start;
+    int index = frame.sector_of(now);
+    for (int i = 0; i <= 4 * frame.per_quarter; ++i) {
+        const Sector& sector = frame.at(now.quarter, index);
+        const First<Plain<double>> first = first_in_sector(frame, sector, turn.x, turn.y, move.problem, now.c, now.s);
+        const bool full_circle = i == 4 * frame.per_quarter && first.order < turn.start.order() + full_circle_slack;
+        if (first.found.meets != Meets::nothing && !full_circle) {
+            const QuarterHeading at = {first.c, first.s, now.quarter};
+            const int part = part_met(frame, sector, first.found.meets, first.found.edge);
+            return {{turned(turn.start, at) / std::abs(move.curvature), first.found.meets, part}, at};
         }
-        now = {0.0, 1.0, now.quarter + 1};
+        if (++index == frame.per_quarter) {
+            index = 0;
+            now = {0.0, 1.0, now.quarter + 1};
+        } else {
+            now = {sector.end_c, sector.end_s, now.quarter};
+        }
     }
-    return {};
+    return {{}, {turn.start.c, turn.start.s, turn.start.quarter + 4}};
 }
 
 /// Pose after a distance, well-conditioned for every curvature.
@@ -142,45 +188,43 @@ Pose after(const PlainMove& move, double distance) {
 }
 
 /// Newton's method on the distance between the part and what it meets: takes away the rounding of a far turning centre.
-double refined(const PlainMove& move, const TurningFrame& frames, const Meeting& meeting) {
-    const QuarterFrame& frame = frame_of(frames, meeting.quarter);
+double refined(const PlainMove& move, const Meeting& meeting) {
+    const Problem& problem = move.problem;
+    const bool edge = meeting.meets == Meets::front_corner || meeting.meets == Meets::rear_corner;
     double distance = meeting.distance;
     for (int i = 0; i < 3; ++i) {
-        const Pose pose = after(move, distance);
-        const double within = pose.heading + meeting.quarter * quarter_turn;
-        const auto [s, c] = angles::sine_cosine(within);
-        const auto [sine, cosine] = angles::sine_cosine(pose.heading);
-        const double dx = move.forward * cosine;
-        const double dy = move.forward * sine;
+        const Standing car(after(move, distance));
+        const double dx = move.forward * car.c;
+        const double dy = move.forward * car.s;
         const double turning = move.forward * move.curvature;
         double gap = 0.0;
         double opening = 0.0;  // d gap / d distance
-        if (meeting.meets == Meets::front_corner || meeting.meets == Meets::rear_corner) {
-            const bool front = meeting.meets == Meets::front_corner;
-            const double gx = (front ? 0.0 : -move.problem.length) - pose.x;
-            const double gy = -pose.y;
-            const double x = gx * c + gy * s;
-            const double y = gy * c - gx * s;
-            gap = front ? frame.lowest.y - y : frame.lowest.x - x;
-            opening = front ? (dy * c - dx * s) + turning * x : (dx * c + dy * s) - turning * y;
+        if (edge) {
+            const Point own_normal = outward_normal(problem.body, meeting.part);
+            const Point& own = corner_of(problem.body, meeting.part);
+            const Point normal = car.turned(own_normal);
+            const Point fixed = corner_met(problem, meeting.meets);
+            const Point seen = {fixed.x - car.pose.x, fixed.y - car.pose.y};
+            gap = seen.x * normal.x + seen.y * normal.y - (own.x * own_normal.x + own.y * own_normal.y);
+            opening = turning * (seen.y * normal.x - seen.x * normal.y) - (dx * normal.x + dy * normal.y);
         } else {
-            const TurningCorner& corner = meeting.meets == Meets::front_side  ? frame.rightmost
-                                          : meeting.meets == Meets::rear_side ? frame.leftmost
-                                                                              : frame.lowest;
-            const double x = corner.x * c - corner.y * s;
-            const double y = corner.x * s + corner.y * c;
+            const Outline& outline = meeting.meets == Meets::curb ? problem.at_curb : problem.body;
+            const Point point = car.turned(corner_of(outline, meeting.part));
             switch (meeting.meets) {
                 case Meets::front_side:
-                    gap = -(pose.x + x);
-                    opening = -(dx - turning * y);
+                    gap = -(car.pose.x + point.x);
+                    opening = -(dx - turning * point.y);
                     break;
                 case Meets::rear_side:
-                    gap = pose.x + x + move.problem.length;
-                    opening = dx - turning * y;
+                    gap = car.pose.x + point.x + problem.length;
+                    opening = dx - turning * point.y;
                     break;
                 default:
-                    gap = pose.y + y + (meeting.meets == Meets::curb ? move.problem.width : 0.0);
-                    opening = dy + turning * x;
+                    gap = car.pose.y + point.y +
+                          (meeting.meets == Meets::curb        ? problem.width
+                           : meeting.meets == Meets::front_top ? problem.front_setback
+                                                               : problem.rear_setback);
+                    opening = dy + turning * point.x;
                     break;
             }
         }
@@ -191,161 +235,194 @@ double refined(const PlainMove& move, const TurningFrame& frames, const Meeting&
     return distance;
 }
 
-/// Lowest point of the frame to the right of an upright line (sign 1) or to its left (sign -1); infinity if there is none.
-double lowest_beyond(const std::array<Point, 4>& corners, double line, double sign) {
-    double lowest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point& from = corners[i];
-        const Point& to = corners[(i + 1) % corners.size()];
-        const double before = sign * (from.x - line);
-        const double after = sign * (to.x - line);
-        if (before > 0.0) lowest = std::min(lowest, from.y);
-        if ((before > 0.0) != (after > 0.0))
-            lowest = std::min(lowest, from.y + (to.y - from.y) * (before / (before - after)));
+/// How far an outline at a pose is from what it could touch, and what it touches there first.
+struct Apart {
+    double distance;
+    Meets meets;
+    int part;
+};
+
+/// To a neighbour: everything to the right of the upright line through `corner` (sign 1), or to its left, below `corner`.
+Apart apart_from(const Outline& body, const Standing& car, const Point& corner, double sign) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    const std::vector<Point>& own = body.corners();
+    const Meets side = sign > 0.0 ? Meets::front_side : Meets::rear_side;
+    const Meets edge = sign > 0.0 ? Meets::front_corner : Meets::rear_corner;
+    double beside = far;  // of the corner farthest over the line
+    double above = far;   // of the lowest
+    Apart by_edge = {-far, edge, 0};
+    Apart nearest = {far, side, 0};
+    std::size_t foremost = 0;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const Point point = car.at(own[i]);
+        const double off = sign * (corner.x - point.x);
+        if (off < beside) foremost = i;
+        beside = std::min(beside, off);
+        above = std::min(above, point.y - corner.y);
+        const double distance = angles::hypot(std::max(off, 0.0), std::max(point.y - corner.y, 0.0));
+        if (distance < nearest.distance) nearest = {distance, side, static_cast<int>(i)};
+        const Point normal = car.turned(outward_normal(body, static_cast<int>(i)));
+        const double gap = (corner.x - point.x) * normal.x + (corner.y - point.y) * normal.y;
+        if (sign * normal.x >= 0.0 && normal.y <= 0.0 && gap > by_edge.distance)
+            by_edge = {gap, edge, static_cast<int>(i)};
     }
-    return lowest;
+    const double apart = std::max({beside, above, by_edge.distance});
+    if (apart < 0.0) {
+        const bool below = car.at(own[foremost]).y < corner.y;
+        if (by_edge.distance > -far && !below) return {apart, edge, by_edge.part};
+        return {apart, side, static_cast<int>(foremost)};
+    }
+    if (by_edge.distance > 0.0) {  // the neighbour's corner may be nearer than any of the car's
+        const Point from = car.at(corner_of(body, by_edge.part));
+        const Point to = car.at(next_corner(body, by_edge.part));
+        const Point way = {to.x - from.x, to.y - from.y};
+        const double along = (corner.x - from.x) * way.x + (corner.y - from.y) * way.y;
+        if (along >= 0.0 && along <= way.x * way.x + way.y * way.y && by_edge.distance < nearest.distance) return by_edge;
+    }
+    return nearest;
+}
+
+Apart apart_from_curb(const Problem& problem, const Standing& car) {
+    Apart nearest = {std::numeric_limits<double>::infinity(), Meets::curb, 0};
+    const std::vector<Point>& own = problem.at_curb.corners();
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const double distance = car.at(own[i]).y + problem.width;
+        if (distance < nearest.distance) nearest = {distance, Meets::curb, static_cast<int>(i)};
+    }
+    return nearest;
 }
 
 /// What a pose that overlaps already is in contact with.
-std::optional<Meeting> overlapped(const PlainMove& move, const TurningFrame& frames) {
-    const QuarterHeading now = in_quarters(move.start.heading);
-    const QuarterFrame& frame = frame_of(frames, now.quarter);
+std::optional<Meeting> overlapped(const PlainMove& move) {
     const Problem& problem = move.problem;
-    const auto at = [&](double x, double y) {
-        return Point{move.start.x + x * now.c - y * now.s, move.start.y + x * now.s + y * now.c};
-    };
-    const std::array<Point, 4> corners = {at(frame.lowest.x, frame.lowest.y), at(frame.rightmost.x, frame.rightmost.y),
-                                          at(frame.rightmost.x, frame.leftmost.y),
-                                          at(frame.leftmost.x, frame.leftmost.y)};
-    if (corners[0].y < -problem.width - problem.touch) return Meeting{0.0, Meets::curb, now.quarter};
-    if (lowest_beyond(corners, problem.touch, 1.0) < -problem.touch)
-        return Meeting{0.0, corners[1].y < 0.0 ? Meets::front_side : Meets::front_corner, now.quarter};
-    if (lowest_beyond(corners, -problem.length - problem.touch, -1.0) < -problem.touch)
-        return Meeting{0.0, corners[3].y < 0.0 ? Meets::rear_side : Meets::rear_corner, now.quarter};
+    const Standing car(move.start);
+    for (const Apart& apart : {apart_from_curb(problem, car),
+                               apart_from(problem.body, car, corner_met(problem, Meets::front_corner), 1.0),
+                               apart_from(problem.body, car, corner_met(problem, Meets::rear_corner), -1.0)}) {
+        if (apart.distance < -problem.touch) return Meeting{0.0, apart.meets, apart.part};
+    }
     return std::nullopt;
 }
 
-/// First stretch with the highest corner at or below the entry side, up to `end`. Between the corners of two quarter
-/// turns its height only rises and then falls, so it is inside from the start to a first crossing, or from a second one.
-std::optional<Stretch> inside_turning(const PlainMove& move, const TurningFrame& frames, double y, double end) {
-    const QuarterHeading start = in_quarters(move.start.heading);
+/// How far a car misses being parked, in the slot frame. [m, rad]
+double miss(const Problem& problem, const Pose& pose) {
+    const Standing car(pose);
+    double worst = -std::numeric_limits<double>::infinity();
+    double low = -worst;
+    for (const Point& own : problem.frame.corners()) {
+        const Point point = car.at(own);
+        worst = std::max({worst, point.y, point.x, -problem.length - point.x});
+        low = std::min(low, point.y);
+    }
+    if (!std::isinf(problem.parked.heading)) worst = std::max(worst, std::abs(pose.heading) - problem.parked.heading);
+    return std::max(worst, low + problem.width - problem.parked.curb);
+}
+
+std::optional<Stretch> inside_turning(const PlainMove& move, const Turning& turn, const TurnMet& met) {
+    const std::optional<ParkedTurn> parked =
+        first_parked({&turn.frame, &move.problem, turn.x, turn.y}, turn.start, met.at, move.problem.touch);
+    if (!parked) return std::nullopt;
     const double bend = std::abs(move.curvature);
-    const double start_angle = angles::atan2(start.s, start.c);
-    const auto distance_to = [&](double c, double s, int quarter) {
-        return ((quarter - start.quarter) * quarter_turn + start_angle - angles::atan2(s, c)) / bend;
+    const auto distance = [&](const QuarterHeading& at) {
+        return std::clamp(turned(turn.start, at) / bend, 0.0, met.meeting.distance);
     };
-    std::optional<Stretch> inside;
-    QuarterHeading now = start;
-    for (std::size_t i = 0; i < quarters_around; ++i) {
-        const QuarterFrame& frame = frame_of(frames, now.quarter);
-        const TurningCorner& top = frame.top;
-        const double begin = distance_to(now.c, now.s, now.quarter);
-        if (begin > end) break;
-        const double finish = std::min(end, distance_to(1.0, 0.0, now.quarter));
-        const double square = (top.radius - y) * (top.radius + y);
-        const auto crossing = [&](double along) {
-            return distance_to((along * top.x - y * top.y) * top.per_square,
-                               (-y * top.x - along * top.y) * top.per_square, now.quarter);
-        };
-        const double rises = square >= 0.0 ? crossing(-std::sqrt(square)) : begin - 1.0;
-        const double sinks = square >= 0.0 ? crossing(std::sqrt(square)) : begin - 1.0;
-        if (!inside && top_height(frame, y, now.c, now.s) <= move.problem.touch) inside = Stretch{begin, begin};
-        if (inside) {
-            if (rises >= begin && rises < finish) return Stretch{inside->from, rises};
-            inside->to = finish;
-        } else if (square >= 0.0 && sinks >= begin && sinks <= finish) {
-            inside = Stretch{sinks, finish};
-        }
-        now = {0.0, 1.0, now.quarter + 1};
-    }
-    return inside;
+    return Stretch{distance(parked->from), distance(parked->to)};
 }
 
-std::optional<Stretch> inside_straight(const PlainMove& move, const TurningFrame& frames, double end) {
-    const QuarterHeading now = in_quarters(move.start.heading);
-    const QuarterFrame& frame = frame_of(frames, now.quarter);
-    const double height = top_height(frame, move.start.y, now.c, now.s);
-    const double rising = move.forward * angles::sin(move.start.heading);
-    const double crossing = -height / rising;
+std::optional<Stretch> inside_straight(const PlainMove& move, double end) {
+    const Standing car(move.start);
+    const double dx = move.forward * car.c;
+    const double dy = move.forward * car.s;
     Stretch inside{0.0, end};
-    if (height > move.problem.touch) {
-        if (!(rising < 0.0)) return std::nullopt;
-        inside.from = crossing;
-    } else if (rising > 0.0) {
-        inside.to = std::min(end, std::max(0.0, crossing));
+    const auto narrow = [&](double off, double rising) {
+        if (off > move.problem.touch) {
+            inside.from = rising < 0.0 ? std::max(inside.from, -off / rising) : std::numeric_limits<double>::infinity();
+        } else if (rising > 0.0) {
+            inside.to = std::min(inside.to, std::max(0.0, -off / rising));
+        }
+    };
+    for (const Point& own : move.problem.frame.corners()) {
+        const Point point = car.at(own);
+        narrow(point.y, dy);
+        if (by_height_alone(move.problem)) continue;
+        narrow(point.x, dx);
+        narrow(-move.problem.length - point.x, -dx);
     }
-    if (inside.from > end) return std::nullopt;
+    if (!(inside.from <= inside.to) || std::isinf(inside.from)) return std::nullopt;
     return inside;
 }
 
-Contact mirrored_in_x(const Contact& contact) {
-    constexpr auto other_end = [](Obstacle obstacle) {
-        switch (obstacle) {
-            case Obstacle::front_side: return Obstacle::rear_side;
-            case Obstacle::rear_side: return Obstacle::front_side;
-            case Obstacle::front_corner: return Obstacle::rear_corner;
-            case Obstacle::rear_corner: return Obstacle::front_corner;
-            default: return Obstacle::curb;
-        }
-    };
-    return {mirrored(contact.part), other_end(contact.obstacle)};
+void check_pose(const Pose& pose) {
+    check_between("pose x", pose.x, -1e9, 1e9, " m");
+    check_between("pose y", pose.y, -1e9, 1e9, " m");
+    check_between("pose heading", pose.heading, -1e9, 1e9, " rad");
 }
 
 }  // namespace
 
 FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, Direction direction,
-                           double steering_angle, double clearance) {
+                           double steering_angle, const Driving& driving) {
     check_between("steering angle", steering_angle, -car.max_steer(), car.max_steer(), " rad");
-    check_between("clearance", clearance, 0.0, 1e6, " m");
-    check_between("pose x", pose.x, -1e9, 1e9, " m");
-    check_between("pose y", pose.y, -1e9, 1e9, " m");
-    check_between("pose heading", pose.heading, -1e9, 1e9, " rad");
+    check(driving);
+    check_pose(pose);
 
-    PlainMove move;
-    move.start = slot.to_slot(pose);
-    move.forward = direction == Direction::forward ? 1.0 : -1.0;
-    move.curvature = angles::tan(slot.mirrored(steering_angle)) / car.wheelbase();
-    const bool turn_round = move.forward * move.curvature > 0.0;  // counter-clockwise: look at it in a mirror
-    if (turn_round) {
-        move.start = {-slot.length() - move.start.x, move.start.y, 2.0 * quarter_turn - move.start.heading};
-        move.curvature = -move.curvature;
+    const double forward = direction == Direction::forward ? 1.0 : -1.0;
+    const double curvature = angles::tan(slot.mirrored(steering_angle)) / car.wheelbase();
+    // What turns counter-clockwise is looked at nose first, where it turns clockwise.
+    const Enter view = forward * curvature > 0.0 ? Enter::forward : Enter::backward;
+    const Problem problem = entering_problem(car, slot, {driving.clearance, driving.curb_clearance, view});
+    PlainMove move = {problem, to_entering(slot, view, pose), view == Enter::forward ? -forward : forward, curvature};
+    move.problem.touch = touching_part * car.length();
+
+    const bool straight = std::abs(curvature) < straight_bend;
+    Turning turn{};
+    TurnMet met{};
+    if (!straight) {
+        const double offset = 1.0 / curvature;
+        const auto [sine, cosine] = angles::sine_cosine(move.start.heading);
+        turn = {turning_frame(move.problem, offset), move.start.x - offset * sine, move.start.y + offset * cosine,
+                in_quarters(move.start.heading)};
+        met.at = turn.start;
     }
-    const double side = car.width() / 2.0;
-    move.problem = {{car.front() + clearance, side + clearance, car.rear() + clearance, side + clearance},
-                    {car.front(), side, car.rear(), side},
-                    0.0,
-                    slot.length(),
-                    slot.width(),
-                    touching_part * car.length()};
-
-    const TurningFrame about_axle = turning_frame(move.problem.touching, move.problem.parked, 0.0);
-    const bool straight = std::abs(move.curvature) < straight_bend;
-    const double offset = straight ? 0.0 : 1.0 / move.curvature;
-    const TurningFrame frames =
-        straight ? about_axle : turning_frame(move.problem.touching, move.problem.parked, offset);
-    const auto [sine, cosine] = angles::sine_cosine(move.start.heading);
-    const double centre_x = move.start.x - offset * sine;
-    const double centre_y = move.start.y + offset * cosine;
-
-    Meeting met;
-    if (const std::optional<Meeting> already = overlapped(move, about_axle)) {
-        met = *already;
+    if (const std::optional<Meeting> already = overlapped(move)) {
+        met.meeting = *already;
     } else {
-        met = straight ? first_met_straight(move, frames) : first_met_turning(move, frames, centre_x, centre_y);
-        if (met.meets != Meets::nothing && met.distance > 0.0) met.distance = refined(move, about_axle, met);
+        if (straight) {
+            met.meeting = first_met_straight(move);
+        } else {
+            met = first_met_turning(move, turn);
+        }
+        if (met.meeting.meets != Meets::nothing && met.meeting.distance > 0.0)
+            met.meeting.distance = refined(move, met.meeting);
     }
 
     FirstContact result;
-    result.distance = met.distance;
-    if (met.meets != Meets::nothing) {
-        Contact contact = contact_of(met.meets, met.quarter);
-        if (turn_round) contact = mirrored_in_x(contact);
-        if (slot.side() == Side::left) contact.part = mirrored(contact.part);
-        result.contact = contact;
-    }
-    result.inside =
-        straight ? inside_straight(move, frames, met.distance) : inside_turning(move, frames, centre_y, met.distance);
+    result.distance = met.meeting.distance;
+    if (met.meeting.meets != Meets::nothing)
+        result.contact = contact_of(car, slot, view, move.problem, met.meeting.meets, met.meeting.part);
+    result.inside = straight ? inside_straight(move, met.meeting.distance) : inside_turning(move, turn, met);
     return result;
+}
+
+Gaps gaps(const Car& car, const Slot& slot, const Pose& pose, const Driving& driving) {
+    check(driving);
+    check_pose(pose);
+    const Problem problem = entering_problem(car, slot, {driving.clearance, driving.curb_clearance, Enter::backward});
+    const Standing at(slot.to_slot(pose));
+    return {apart_from(problem.body, at, corner_met(problem, Meets::front_corner), 1.0).distance,
+            apart_from(problem.body, at, corner_met(problem, Meets::rear_corner), -1.0).distance,
+            apart_from_curb(problem, at).distance};
+}
+
+bool is_free(const Car& car, const Slot& slot, const Pose& pose, const Driving& driving) {
+    const Gaps apart = gaps(car, slot, pose, driving);
+    return std::min({apart.front, apart.rear, apart.curb}) >= -touching_part * car.length();
+}
+
+bool is_inside(const Car& car, const Slot& slot, const Pose& pose, const Parked& parked) {
+    check(parked);
+    check_pose(pose);
+    return miss(entering_problem(car, slot, {}, parked), slot.to_slot(pose)) <= touching_part * car.length();
 }
 
 }  // namespace snug

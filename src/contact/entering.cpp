@@ -16,13 +16,19 @@ CarPart front_and_rear_swapped(CarPart part) {
         case CarPart::front_right_corner: return CarPart::rear_right_corner;
         case CarPart::front_edge: return CarPart::rear_edge;
         case CarPart::rear_edge: return CarPart::front_edge;
+        case CarPart::front_left_wheel: return CarPart::rear_left_wheel;
+        case CarPart::rear_left_wheel: return CarPart::front_left_wheel;
+        case CarPart::rear_right_wheel: return CarPart::front_right_wheel;
+        case CarPart::front_right_wheel: return CarPart::rear_right_wheel;
         case CarPart::left_edge:
         case CarPart::right_edge: break;
     }
     return part;
 }
 
-Obstacle front_and_rear_swapped(Obstacle obstacle) {
+}  // namespace
+
+Obstacle other_end(Obstacle obstacle) {
     switch (obstacle) {
         case Obstacle::front_side: return Obstacle::rear_side;
         case Obstacle::rear_side: return Obstacle::front_side;
@@ -33,19 +39,24 @@ Obstacle front_and_rear_swapped(Obstacle obstacle) {
     return obstacle;
 }
 
-}  // namespace
-
-Problem entering_problem(const Car& car, const Slot& slot, Enter enter, double clearance) {
-    Problem problem;
-    const double side = car.width() / 2.0;
-    problem.parked = {car.front(), side, car.rear(), side};
-    if (enter == Enter::forward) std::swap(problem.parked.front, problem.parked.rear);
-    problem.touching = {problem.parked.front + clearance, side + clearance, problem.parked.rear + clearance,
-                        side + clearance};
-    problem.radius = car.turning_radius();
-    problem.length = slot.length();
-    problem.width = slot.width();
-    problem.touch = 1e-13 * (car.length() + car.width() + clearance + car.turning_radius());
+Problem entering_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked) {
+    const bool low_curb = slot.curb() == Curb::low;
+    const auto seen = [&](const Outline& outline) {
+        const Outline in_slot = slot.side() == Side::left ? outline.mirrored() : outline;
+        return driving.enter == Enter::forward ? in_slot.turned_about() : in_slot;
+    };
+    const Outline frame = seen(car.outline());
+    Problem problem{frame.grown(driving.clearance),
+                    (low_curb ? seen(car.wheels()) : frame).grown(driving.at_curb()),
+                    frame,
+                    car.turning_radius(),
+                    slot.length(),
+                    slot.width(),
+                    slot.front_setback(),
+                    slot.rear_setback(),
+                    parked,
+                    1e-13 * (car.length() + car.width() + driving.clearance + car.turning_radius())};
+    if (driving.enter == Enter::forward) std::swap(problem.front_setback, problem.rear_setback);
     return problem;
 }
 
@@ -53,16 +64,22 @@ Pose to_world(const Slot& slot, Enter enter, const Pose& pose) {
     return slot.to_world(enter == Enter::backward ? pose : Pose{-slot.length() - pose.x, pose.y, -pose.heading});
 }
 
+Pose to_entering(const Slot& slot, Enter enter, const Pose& pose) {
+    const Pose in_slot = slot.to_slot(pose);
+    return enter == Enter::backward ? in_slot : Pose{-slot.length() - in_slot.x, in_slot.y, -in_slot.heading};
+}
+
 Contact to_world(const Slot& slot, Enter enter, const Contact& contact) {
     Contact seen = contact;
-    if (enter == Enter::forward) seen = {front_and_rear_swapped(seen.part), front_and_rear_swapped(seen.obstacle)};
+    if (enter == Enter::forward) seen = {front_and_rear_swapped(seen.part), other_end(seen.obstacle)};
     if (slot.side() == Side::left) seen.part = mirrored(seen.part);
     return seen;
 }
 
 void check(const MaxSteerOptions& options) {
     check_between("maximum of direction changes", options.max_changes, 0.0, 100000.0, "");
-    check_between("clearance", options.driving.clearance, 0.0, 1e6, " m");
+    snug::check(options.driving);
+    snug::check(options.parked);
 }
 
 void check_entry_heading(double heading) { check_between("entry heading", heading, 0.0, 1.5707963267948966, " rad"); }

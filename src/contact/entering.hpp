@@ -4,20 +4,35 @@
 // forward. Left stays left in that mirror, because the car's own direction turns round as well.
 #pragma once
 
-#include "contact/turning.hpp"
 #include "snug/car.hpp"
+#include "snug/driving.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
 #include "snug/slot.hpp"
 
 namespace snug::detail {
 
-/// The car and the slot in the entering frame.
-Problem entering_problem(const Car& car, const Slot& slot, Enter enter, double clearance);
+/// A car and a slot in the entering frame.
+struct Problem {
+    Outline body;     ///< what stops at the neighbours: the outline grown by the clearance
+    Outline at_curb;  ///< what stops at the curb: grown by the clearance kept there; the wheels where the curb is low
+    Outline frame;    ///< what must be inside to be parked: the outline itself
+    double radius = 0.0;         ///< turning radius [m]
+    double length = 0.0;         ///< of the slot [m]
+    double width = 0.0;          ///< of the slot [m]
+    double front_setback = 0.0;  ///< the front neighbour is {x > 0, y < -front_setback} [m]
+    double rear_setback = 0.0;   ///< the rear neighbour is {x < -length, y < -rear_setback} [m]
+    Parked parked;               ///< what counts as parked, besides the frame between 0 and -length below y = 0
+    double touch = 0.0;          ///< closer than this is touching: what rounding may do to a position [m]
+};
+Problem entering_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked = {});
 
-/// From the entering frame to the world.
+/// From the entering frame to the world and back.
 Pose to_world(const Slot& slot, Enter enter, const Pose& pose);
+Pose to_entering(const Slot& slot, Enter enter, const Pose& pose);
 Contact to_world(const Slot& slot, Enter enter, const Contact& contact);
+/// The obstacle in the place of this one, were the front the rear.
+Obstacle other_end(Obstacle obstacle);
 
 inline Direction reverse_of(Direction direction) {
     return direction == Direction::forward ? Direction::backward : Direction::forward;

@@ -1,47 +1,26 @@
-// One move at full steering, exactly: the car turns clockwise about a fixed centre until something stops it.
+// A turning car: its outline seen from the turning centre, sector by sector, and what it meets first.
 //
 // Both kinds of move of the paper's strategy, backward with full left and forward with full right steering, turn the car
-// clockwise; other moves are mirror images. Everything here lives in the slot frame (see slot.hpp).
+// clockwise; other moves are mirror images. Everything here lives in the entering frame (entering.hpp).
 //
-// The idea: while the heading stays within one quarter turn, the same corner of the frame is the lowest, the same the
-// leftmost and the same the rightmost. A convex frame can then meet the world in five ways only:
-//
-//     rightmost corner - front side        lowest corner - curb          leftmost corner - rear side
-//     edge between rightmost and           edge between leftmost and
-//     lowest corner - front corner         lowest corner - rear corner
-//
-// (and, coming from the road, the lowest corner can land on a neighbour). Each is a point crossing a line while moving
-// on a circle: one square root, and only one of the two crossings leads inward.
+// While the heading stays in one sector, between two headings at which an edge lies level or upright, the same corner of the
+// outline is the lowest, the same the leftmost, the rightmost and the highest. A rectangle has four sectors, the quarter
+// turns.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
+#include "contact/crossing.hpp"
+#include "contact/entering.hpp"
 #include "model/angles.hpp"
-#include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 
 namespace snug::detail {
-
-/// How far the frame reaches from the rear axle centre. [m]
-struct Extents {
-    double front = 0.0;
-    double left = 0.0;
-    double rear = 0.0;
-    double right = 0.0;
-};
-
-/// What the strategy needs to know of a car and a slot, in the slot frame.
-struct Problem {
-    Extents touching;     ///< the frame that must not touch (grown by the clearance)
-    Extents parked;       ///< the frame that must be inside
-    double radius = 0.0;  ///< turning radius [m]
-    double length = 0.0;  ///< of the slot [m]
-    double width = 0.0;   ///< of the slot [m]
-    double touch = 0.0;   ///< closer than this is touching: what rounding may do to a position [m]
-};
 
 /// What a turning car meets.
 enum class Meets : unsigned char {
@@ -55,22 +34,25 @@ enum class Meets : unsigned char {
     rear_top
 };
 
-/// What that is called: which part of the car meets what, in the given quarter turn.
-inline Contact contact_of(Meets meets, int quarter) {
-    constexpr std::array corners = {CarPart::rear_right_corner, CarPart::front_right_corner, CarPart::front_left_corner,
-                                    CarPart::rear_left_corner};
-    constexpr std::array edges = {CarPart::right_edge, CarPart::front_edge, CarPart::left_edge, CarPart::rear_edge};
-    const auto around = [quarter](std::size_t steps) { return (static_cast<std::size_t>(quarter & 3) + steps) % 4; };
-    switch (meets) {
-        case Meets::front_side: return {corners[around(1)], Obstacle::front_side};
-        case Meets::front_corner: return {edges[around(0)], Obstacle::front_corner};
-        case Meets::rear_corner: return {edges[around(3)], Obstacle::rear_corner};
-        case Meets::rear_side: return {corners[around(3)], Obstacle::rear_side};
-        case Meets::front_top: return {corners[around(0)], Obstacle::front_side};
-        case Meets::rear_top: return {corners[around(0)], Obstacle::rear_side};
-        default: return {corners[around(0)], Obstacle::curb};
-    }
-}
+/// The bit of Found::ahead.
+constexpr unsigned bit_of(Meets meets) { return 1U << static_cast<unsigned>(meets); }
+
+/// What touches has its root this near in order(), even where the circle only just crosses.
+constexpr double near_start = 1e-2;
+
+/// What a first contact is.
+struct Found {
+    double across = 0.0;  ///< the root taken: how squarely the circle crosses the line [m]
+    Meets meets = Meets::nothing;
+    unsigned ahead = 0;  ///< bits of everything that would be met in this sector, were nothing else in the way
+    int edge = 0;        ///< which of TurningFrame::edges, where one meets a corner
+};
+
+#define SNUG_INLINE inline
+#define SNUG_LAMBDA
+#include "contact/sector.inl"
+#undef SNUG_INLINE
+#undef SNUG_LAMBDA
 
 /// A heading as its quarter turn and the direction within it: heading = atan2(s, c) - quarter * pi/2, c and s >= 0.
 /// Turning clockwise, s falls to 0 and the next quarter begins at s = 1.
@@ -100,203 +82,90 @@ struct QuarterHeading {
     [[nodiscard]] double angle() const { return angles::atan2(s, c) - quarter * 1.57079632679489661923; }
 };
 
-/// A corner of the frame seen from the turning centre, x along the heading of the quarter.
-struct TurningCorner {
-    double x = 0.0;
-    double y = 0.0;
-    double radius = 0.0;
-    double per_square = 0.0;  ///< 1 / radius^2
+/// That of any heading. [rad]
+QuarterHeading in_quarters(double heading);
+
+/// A corner of the outline, by its index, seen from the turning centre, x along the heading of the quarter.
+struct TurningCorner : SeenCorner<double> {
+    int index = 0;
 
     TurningCorner() = default;
-    TurningCorner(double along, double across)
-        : x(along),
-          y(across),
-          radius(std::sqrt(along * along + across * across)),
-          per_square(1.0 / (along * along + across * across)) {}
+    TurningCorner(double along, double across, int of = 0)
+        : SeenCorner<double>{along, across, std::sqrt(along * along + across * across),
+                             1.0 / (along * along + across * across)},
+          index(of) {}
 };
 
-/// The frame as it lies in one quarter turn.
-struct QuarterFrame {
-    TurningCorner lowest;
-    TurningCorner leftmost;   ///< shares its x with the lowest
-    TurningCorner rightmost;  ///< shares its y with the lowest
-    TurningCorner top;        ///< highest corner of the parked frame
-    double graze_order =
-        0.0;  ///< order() of the heading at which the lowest corner is lowest; infinite if in no quarter
+/// The outline while the same corners lead.
+struct Sector {
+    double end_c = 1.0;       ///< where it ends, within its quarter turn
+    double end_s = 0.0;
+    double end_order = -2.0;  ///< order() there; -2 at the end of the quarter, which rounding must not cut off
+    TurningCorner lowest;     ///< of the body
+    TurningCorner leftmost;
+    TurningCorner rightmost;
+    TurningCorner at_curb;  ///< the lowest of what stops at the curb
+    TurningCorner top;      ///< the highest of the frame
+    TurningCorner frame_low, frame_left, frame_right;  ///< the others of the frame, for all that counts as parked
+    /// order() of the heading at which the corner at the curb is lowest, and the top is lowest; infinite if not in the sector.
+    double graze_order = std::numeric_limits<double>::infinity();
+    double dip_order = std::numeric_limits<double>::infinity();
+    /// The edges from the lowest to the rightmost corner over which the front neighbour's corner can enter, and from the
+    /// leftmost to the lowest, for the rear one's.
+    std::uint32_t front_edges = 0, front_edges_end = 0, rear_edges = 0, rear_edges_end = 0;
 };
 
-/// The frame in all four quarter turns about one turning centre.
-using TurningFrame = std::array<QuarterFrame, 4>;
+/// The outline all around one turning centre.
+struct TurningFrame {
+    std::vector<Sector> sectors;  ///< quarter by quarter, as many in each, in the order of falling headings
+    std::vector<SeenEdge<Plain<double>>> edges;
+    std::vector<int> edge_indices;  ///< in the outline: an edge follows its corner
+    int per_quarter = 1;
 
-/// `offset`: how far the turning centre lies to the left of the rear axle centre (negative: to the right). [m]
-inline TurningFrame turning_frame(const Extents& touching, const Extents& parked, double offset) {
-    TurningFrame frames;
-    const std::array<double, 4> outer = {touching.front, touching.left, touching.rear, touching.right};
-    const std::array<double, 4> inner = {parked.front, parked.left, parked.rear, parked.right};
-    const std::array<double, 4> centre_x = {0.0, offset, 0.0, -offset};
-    const std::array<double, 4> centre_y = {offset, 0.0, -offset, 0.0};
-    for (std::size_t q = 0; q < 4; ++q) {
-        const double right = outer[q] - centre_x[q];
-        const double top = outer[(q + 1) % 4] - centre_y[q];
-        const double left = -outer[(q + 2) % 4] - centre_x[q];
-        const double bottom = -outer[(q + 3) % 4] - centre_y[q];
-        frames[q].lowest = {left, bottom};
-        frames[q].graze_order = left <= 0.0 && bottom <= 0.0 ? (bottom - left) / frames[q].lowest.radius
-                                                             : std::numeric_limits<double>::infinity();
-        frames[q].leftmost = {left, top};
-        frames[q].rightmost = {right, bottom};
-        frames[q].top = {inner[q] - centre_x[q], inner[(q + 1) % 4] - centre_y[q]};
+    /// The sector of a quarter, counted on from the quarter's first.
+    [[nodiscard]] const Sector& at(int quarter, int sector) const {
+        return sectors[static_cast<std::size_t>((quarter & 3) * per_quarter + sector)];
     }
-    return frames;
+    /// In which sector of its quarter a heading lies; at a border in the one that begins there.
+    [[nodiscard]] int sector_of(const QuarterHeading& heading) const {
+        int sector = 0;
+        while (sector + 1 < per_quarter && heading.order() <= at(heading.quarter, sector).end_order) ++sector;
+        return sector;
+    }
+};
+
+/// `offset`: how far the turning centre lies to the left of the rear axle's middle (negative: to the right). [m]
+TurningFrame turning_frame(const Problem& problem, double offset);
+
+/// Height of a corner at a heading of its quarter, the centre being at y.
+inline double height_of(const TurningCorner& corner, double y, double c, double s) {
+    return y + corner.x * s + corner.y * c;
 }
 
-/// A contact found in a quarter turn: the heading there and what is met.
-struct QuarterContact {
-    double c = 0.0;
-    double s = 0.0;
-    double order = -2.0;  ///< s - c; the first contact of a clockwise turn is the largest
-    double across = 0.0;  ///< the root taken: how squarely the circle crosses the line [m]
-    Meets meets = Meets::nothing;
-    unsigned ahead = 0;  ///< bits of everything that would be met in this quarter, were nothing else in the way
-};
-
-/// The bit of QuarterContact::ahead.
-constexpr unsigned bit_of(Meets meets) { return 1U << static_cast<unsigned>(meets); }
-
-/// How a part of the car and an obstacle stand before the move: apart or parting, touching and closing in, or corner to
-/// corner and bound to miss each other.
-enum class AtStart { apart, touches, slips_off };
-
-/// What touches has its root this near in order(), even where the circle only just crosses.
-constexpr double near_start = 1e-2;
-
-/// First contact while turning clockwise about (x, y) within a quarter, from the heading (c, s). What touches already and
-/// would move in is met at once; what touches and moves away, or along, is not met.
-inline QuarterContact first_contact_in_quarter(const QuarterFrame& frame, double x, double y, const Problem& problem,
-                                               double start_c, double start_s) {
-    QuarterContact first;
-    const double start_order = start_s - start_c;
-    // `at_start` is asked only of what has its root near the start, whether it touches there and moves in.
-    const auto consider = [&](double c, double s, double across, Meets meets, auto at_start) {
-        double order = s - c;
-        const double later = start_order - order;
-        if (later <= -near_start) return;
-        const AtStart found = later < near_start ? at_start() : AtStart::apart;
-        if (found == AtStart::slips_off) return;
-        if (found == AtStart::touches) {
-            order = start_order;
-        } else if (!(s >= 0.0 && c >= 0.0 && later >= 0.0)) {
-            return;
-        }
-        first.ahead |= bit_of(meets);
-        if (order > first.order) {
-            first.c = c;
-            first.s = s;
-            first.order = order;
-            first.across = across;
-            first.meets = meets;
-        }
-    };
-    // A corner of the car meets an upright wall; the wall lies to the right (sign 1) or to the left (sign -1).
-    const auto corner_meets_side = [&](const TurningCorner& corner, double wall, double sign, Meets meets) {
-        const double along = wall - x;
-        const double square = (corner.radius - along) * (corner.radius + along);
-        if (!(square >= 0.0)) return;
-        const double across = sign * std::sqrt(square);
-        const double s = (across * corner.x - along * corner.y) * corner.per_square;
-        const double c = (along * corner.x + across * corner.y) * corner.per_square;
-        const double height = y + corner.x * s + corner.y * c;
-        if (!(height <= problem.touch)) return;
-        const auto at_start = [&] {
-            const double start_x = corner.x * start_c - corner.y * start_s;
-            const double start_y = corner.x * start_s + corner.y * start_c;
-            if (std::abs(along - start_x) > problem.touch || sign * start_y <= 0.0) return AtStart::apart;
-            return y + start_y >= -problem.touch && start_x <= 0.0 ? AtStart::slips_off : AtStart::touches;
-        };
-        // Rounding may have lifted a corner that touches above the wall's end.
-        if (height > 0.0 && at_start() != AtStart::touches) return;
-        consider(c, s, across, meets, at_start);
-    };
-    // The lowest corner meets level ground: the curb, or a neighbour it comes down upon.
-    const auto corner_meets_ground = [&](double ground, Meets meets) {
-        const TurningCorner& corner = frame.lowest;
-        const double across = ground - y;
-        const double square = (corner.radius - across) * (corner.radius + across);
-        if (!(square >= 0.0)) return;
-        const double along = std::sqrt(square);
-        const double s = (across * corner.x - along * corner.y) * corner.per_square;
-        const double c = (along * corner.x + across * corner.y) * corner.per_square;
-        const double where = x + corner.x * c - corner.y * s;
-        const double beyond_end = meets == Meets::front_top  ? where
-                                  : meets == Meets::rear_top ? -problem.length - where
-                                                             : std::numeric_limits<double>::infinity();
-        if (!(beyond_end >= -problem.touch)) return;
-        const auto at_start = [&] {
-            const double start_x = corner.x * start_c - corner.y * start_s;
-            const double start_y = corner.x * start_s + corner.y * start_c;
-            if (std::abs(start_y - across) > problem.touch || start_x <= 0.0) return AtStart::apart;
-            const bool moves_onto = meets == Meets::front_top ? start_y > 0.0 : start_y < 0.0;
-            return beyond_end > problem.touch || moves_onto ? AtStart::touches : AtStart::apart;
-        };
-        if (beyond_end <= problem.touch && at_start() != AtStart::touches) return;
-        consider(c, s, along, meets, at_start);
-    };
-
-    corner_meets_side(frame.rightmost, 0.0, 1.0, Meets::front_side);
-    corner_meets_side(frame.leftmost, -problem.length, -1.0, Meets::rear_side);
-    corner_meets_ground(-problem.width, Meets::curb);
-    if (y + frame.lowest.x * start_s + frame.lowest.y * start_c > -problem.touch) {
-        corner_meets_ground(0.0, Meets::front_top);
-        corner_meets_ground(0.0, Meets::rear_top);
-    }
-    {  // the slot's front corner meets the edge from the lowest to the rightmost corner
-        const double gx = -x;
-        const double gy = -y;
-        const double square = gx * gx + gy * gy - frame.lowest.y * frame.lowest.y;
-        const double along = std::sqrt(std::max(square, 0.0));
-        if (square >= 0.0 && along <= frame.rightmost.x + problem.touch && along >= frame.lowest.x - problem.touch) {
-            const double per_square = 1.0 / (gx * gx + gy * gy);
-            consider((gx * along + gy * frame.lowest.y) * per_square, (gy * along - gx * frame.lowest.y) * per_square,
-                     along, Meets::front_corner, [&] {
-                         const double start_x = gx * start_c + gy * start_s;
-                         const double start_y = gy * start_c - gx * start_s;
-                         if (std::abs(start_y - frame.lowest.y) > problem.touch || start_x <= 0.0)
-                             return AtStart::apart;
-                         const bool slips_off = (start_x >= frame.rightmost.x - problem.touch && start_y <= 0.0) ||
-                                                (start_x <= frame.lowest.x + problem.touch && start_y >= 0.0);
-                         return slips_off ? AtStart::slips_off : AtStart::touches;
-                     });
-        }
-    }
-    {  // the slot's rear corner meets the edge from the lowest to the leftmost corner
-        const double gx = -problem.length - x;
-        const double gy = -y;
-        const double square = gx * gx + gy * gy - frame.lowest.x * frame.lowest.x;
-        const double across = -std::sqrt(std::max(square, 0.0));
-        if (square >= 0.0 && across <= frame.leftmost.y + problem.touch && across >= frame.lowest.y - problem.touch) {
-            const double per_square = 1.0 / (gx * gx + gy * gy);
-            consider((gx * frame.lowest.x + gy * across) * per_square, (gy * frame.lowest.x - gx * across) * per_square,
-                     across, Meets::rear_corner, [&] {
-                         const double start_x = gx * start_c + gy * start_s;
-                         const double start_y = gy * start_c - gx * start_s;
-                         if (std::abs(start_x - frame.lowest.x) > problem.touch || start_y >= 0.0)
-                             return AtStart::apart;
-                         const bool slips_off = (start_y >= frame.leftmost.y - problem.touch && start_x >= 0.0) ||
-                                                (start_y <= frame.lowest.y + problem.touch && start_x <= 0.0);
-                         return slips_off ? AtStart::slips_off : AtStart::touches;
-                     });
-        }
-    }
-    if (first.order == start_order) {  // what is met at the start is met right there
-        first.c = start_c;
-        first.s = start_s;
-    }
+/// First contact while turning clockwise about (x, y) within a sector, from the heading (c, s).
+inline First<Plain<double>> first_in_sector(const TurningFrame& frame, const Sector& sector, double x, double y,
+                                            const Problem& problem, double start_c, double start_s) {
+    const Surroundings<double> around = {x,
+                                         y,
+                                         problem.length,
+                                         y + problem.width,
+                                         y + problem.front_setback,
+                                         y + problem.rear_setback,
+                                         problem.touch};
+    First<Plain<double>> first(start_c, start_s, sector.end_order);
+    first.corners_meet(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around);
+    for (std::uint32_t i = sector.front_edges; i != sector.front_edges_end; ++i)
+        first.edge_meets_corner(frame.edges[i], -x, -around.above_front, problem.touch, Meets::front_corner, static_cast<int>(i));
+    for (std::uint32_t i = sector.rear_edges; i != sector.rear_edges_end; ++i)
+        first.edge_meets_corner(frame.edges[i], -x - problem.length, -around.above_rear, problem.touch,
+                                Meets::rear_corner, static_cast<int>(i));
+    first.settle();
     return first;
 }
 
-/// Height of the parked frame's highest corner at a heading of the quarter.
-inline double top_height(const QuarterFrame& frame, double y, double c, double s) {
-    return y + frame.top.x * s + frame.top.y * c;
-}
+/// Which corner or edge it is that meets something in a sector, by its index in the outline.
+int part_met(const TurningFrame& frame, const Sector& sector, Meets meets, int edge);
+/// What that is called in the world.
+Contact contact_of(const Car& car, const Slot& slot, Enter enter, const Problem& problem, Meets meets, int part);
 
 }  // namespace snug::detail

@@ -5,35 +5,13 @@
 #include <string>
 
 #include "contact/entering.hpp"
+#include "contact/entry_corner.hpp"
 #include "full_steering/cases.hpp"
 #include "model/check.hpp"
 
 namespace snug {
 
 namespace detail {
-
-namespace {
-
-bool lies_in(const std::vector<Headings>& ranges, double heading) {
-    return std::any_of(ranges.begin(), ranges.end(),
-                       [heading](const Headings& range) { return range.min <= heading && heading <= range.max; });
-}
-
-/// By how much the frame clears what it could overlap at the entry position, and its corner the front side on the first
-/// move: possible_headings() without its inverse functions, so exact but for rounding. [m]
-double entry_clears(const Problem& problem, double c, double s) {
-    const Extents& car = problem.touching;
-    const double length = car.front + car.rear;
-    const double width = car.left + car.right;
-    const double front_and_curb =
-        std::min((problem.radius + car.right) * c - car.front * s, problem.width - length * s);
-    const double tail_below = width * c - length * s;  // the entry side
-    const double rear = std::max(std::min(problem.length * c - length, tail_below),
-                                 std::min(problem.length - length * c - width * s, -tail_below));
-    return std::min({front_and_curb, rear, problem.length - length});
-}
-
-}  // namespace
 
 int direction_changes_alone(const FullSteering& steering, double heading, int max_changes) {
     FullSteeringRun run(steering, heading);
@@ -46,9 +24,9 @@ int direction_changes_alone(const FullSteering& steering, double heading, int ma
     return -1;
 }
 
-Cases::Cases(FullSteering& steering, const std::vector<double>& headings, const std::vector<Slot>* slots,
+Cases::Cases(FullSteering& steering, Enter enter, const std::vector<double>& headings, const std::vector<Slot>* slots,
              int max_changes)
-    : steering_(steering), headings_(headings), slots_(slots), max_changes_(max_changes), changes_(headings.size()) {
+    : steering_(steering), enter_(enter), headings_(headings), slots_(slots), max_changes_(max_changes), changes_(headings.size()) {
     if (slots == nullptr) possible_ = possible_headings(steering.problem);
 }
 
@@ -60,7 +38,8 @@ void Cases::prepare() {
         const QuarterHeading& direction = run.heading();
         if (is_entry(headings_[next_], direction)) {
             starts_[prepared_++] = {
-                next_, run.x(), run.y(), direction.c, direction.s, steering_.problem.length, steering_.problem.width};
+                next_, run.x(), run.y(), direction.c, direction.s, steering_.problem.length, steering_.problem.width,
+                steering_.problem.front_setback, steering_.problem.rear_setback};
         } else {
             answer(next_, -1);
         }
@@ -74,16 +53,30 @@ void Cases::answer_alone(std::size_t index) {
 
 void Cases::enter_slot(std::size_t index) {
     if (slots_ == nullptr) return;
-    steering_.problem.length = (*slots_)[index].length();
-    steering_.problem.width = (*slots_)[index].width();
+    const Slot& slot = (*slots_)[index];
+    Problem& problem = steering_.problem;
+    problem.length = slot.length();
+    problem.width = slot.width();
+    problem.front_setback = enter_ == Enter::backward ? slot.front_setback() : slot.rear_setback();
+    problem.rear_setback = enter_ == Enter::backward ? slot.rear_setback() : slot.front_setback();
+    steering_.height_decides = by_height_alone(problem);
+}
+
+bool Cases::in_vectors() const {
+    const auto is_plain = [](const Slot& slot) { return slot.front_setback() == 0.0 && slot.rear_setback() == 0.0; };
+    const Problem& problem = steering_.problem;
+    return steering_.backward.per_quarter == 1 && problem.at_curb == problem.body && steering_.height_decides &&
+           (slots_ == nullptr || std::all_of(slots_->begin(), slots_->end(), is_plain));
 }
 
 bool Cases::is_entry(double heading, const QuarterHeading& direction) const {
     if (slots_ == nullptr) return lies_in(possible_, heading);
     const Problem& problem = steering_.problem;
-    const double clears = entry_clears(problem, direction.c, direction.s);
-    const double close = 1e-9 * (problem.length + problem.touching.front + problem.touching.rear + problem.radius);
-    if (std::abs(clears) > close) return clears > 0.0;
+    const double size = problem.length + problem.body.front() + problem.body.rear() + problem.radius;
+    double clears = entry_clears(problem, steering_.entry_corner, direction.c, direction.s);
+    if (problem.front_setback == 0.0 && problem.rear_setback == 0.0)
+        clears = std::min(clears, problem.length - problem.body.front() - problem.body.rear());
+    if (std::abs(clears) > 1e-9 * size) return clears > 0.0;
     return lies_in(possible_headings(problem), heading);
 }
 
@@ -93,11 +86,16 @@ namespace {
 
 using namespace detail;
 
+/// The cases of one outline in the entering frame.
 std::vector<int> drive_all(const Car& car, const Slot& first, const std::vector<Slot>* slots,
                            const std::vector<double>& headings, const MaxSteerOptions& options) {
-    FullSteering steering(entering_problem(car, first, options.driving.enter, options.driving.clearance));
-    Cases cases(steering, headings, slots, options.max_changes);
-    detail::drive_all(cases);
+    FullSteering steering(entering_problem(car, first, options.driving, options.parked));
+    Cases cases(steering, options.driving.enter, headings, slots, options.max_changes);
+    if (cases.in_vectors()) {
+        detail::drive_all(cases);
+    } else {
+        while (const Cases::Start* start = cases.next()) cases.answer_alone(start->index);
+    }
     return std::move(cases.answers());
 }
 
@@ -115,8 +113,28 @@ std::vector<int> direction_changes(const Car& car, const std::vector<Slot>& slot
     check(options);
     check_as_many(slots.size(), headings.size());
     check_headings(headings);
-    if (slots.empty()) return {};
-    return drive_all(car, slots.front(), &slots, headings, options);
+    // The outlines of an odd car, and those that a low curb stops, are others for other slots.
+    const auto kind = [&](const Slot& slot) {
+        return std::pair(slot.curb(), car.outline() == car.outline().mirrored() ? Side::right : slot.side());
+    };
+    std::vector<int> changes(slots.size(), -1);
+    std::vector<bool> done(slots.size(), false);
+    for (std::size_t next = 0; next < slots.size(); ++next) {
+        if (done[next]) continue;
+        std::vector<Slot> alike;
+        std::vector<double> their_headings;
+        std::vector<std::size_t> indices;
+        for (std::size_t i = next; i < slots.size(); ++i) {
+            if (done[i] || kind(slots[i]) != kind(slots[next])) continue;
+            done[i] = true;
+            indices.push_back(i);
+            alike.push_back(slots[i]);
+            their_headings.push_back(headings[i]);
+        }
+        const std::vector<int> found = drive_all(car, slots[next], &alike, their_headings, options);
+        for (std::size_t i = 0; i < indices.size(); ++i) changes[indices[i]] = found[i];
+    }
+    return changes;
 }
 
 }  // namespace snug

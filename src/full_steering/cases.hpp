@@ -24,13 +24,17 @@ public:
         double c = 1.0, s = 0.0;  ///< of the heading
         double length = 0.0;      ///< of its slot [m]
         double width = 0.0;       ///< of its slot [m]
+        double front_setback = 0.0, rear_setback = 0.0;  ///< of its slot [m]
     };
 
     /// With `slots`, case i is headings[i] into slots[i]; otherwise all enter the slot of `steering`.
-    Cases(FullSteering& steering, const std::vector<double>& headings, const std::vector<Slot>* slots, int max_changes);
+    Cases(FullSteering& steering, Enter enter, const std::vector<double>& headings, const std::vector<Slot>* slots,
+          int max_changes);
 
     [[nodiscard]] const FullSteering& steering() const { return steering_; }
     [[nodiscard]] int max_changes() const { return max_changes_; }
+    /// Can vectors drive the cases? They know rectangles, which have four sectors, and look at nothing but the height.
+    [[nodiscard]] bool in_vectors() const;
 
     /// The next case at a possible entry position, if there is one; those before it that are not are answered.
     const Start* next() {
@@ -50,6 +54,7 @@ private:
     [[nodiscard]] bool is_entry(double heading, const QuarterHeading& direction) const;
 
     FullSteering& steering_;
+    Enter enter_;
     const std::vector<double>& headings_;
     const std::vector<Slot>* slots_;
     int max_changes_;

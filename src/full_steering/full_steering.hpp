@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/entry_corner.hpp"
+#include "contact/parking.hpp"
 #include "contact/turning.hpp"
 #include "model/angles.hpp"
 
@@ -18,27 +20,34 @@ struct FullSteering {
     Problem problem;
     TurningFrame backward;  ///< turning about the left centre
     TurningFrame forward;   ///< turning about the right centre
+    bool height_decides;    ///< see by_height_alone()
+    Point entry_corner;     ///< of the body: it touches the front neighbour's corner at the entry position
 
     explicit FullSteering(const Problem& of)
         : problem(of),
-          backward(turning_frame(of.touching, of.parked, of.radius)),
-          forward(turning_frame(of.touching, of.parked, -of.radius)) {}
+          backward(turning_frame(of, of.radius)),
+          forward(turning_frame(of, -of.radius)),
+          height_decides(by_height_alone(of)),
+          entry_corner(detail::entry_corner(of)) {}
 };
 
 /// What one move did.
 struct FullMove {
     Meets meets = Meets::nothing;
+    int part = -1;             ///< which corner or edge, by its index in the outline
     int quarter = 0;           ///< in which quarter turn the move ended
-    unsigned ahead = 0;        ///< see QuarterContact
+    unsigned ahead = 0;        ///< see Found
     bool stuck = false;        ///< it had no length
-    double depth = 0.0;        ///< D_n: the least height of the frame's highest corner during the move [m]
+    double depth = 0.0;        ///< D_n: by how little the car misses being parked during the move: how high the frame's
+                               ///< highest corner is at least, or what else counts as parked [m]
     double depth_slope = 0.0;  ///< d depth / d entry heading
+    double end_slope = 0.0;    ///< d heading at the end / d entry heading
     /// How high above the curb the lowest corner's circle ends, in the first and the second quarter turn (negative: the
     /// corner meets the curb) [m]; NaN where the move does not sweep that point.
     std::array<double, 2> graze = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
     double graze_slope = 0.0;  ///< d graze / d entry heading, for both
     /// Backward in the second quarter turn, tail up: how high the leftmost corner crosses the rear side, and how far
-    /// behind the front corner of the slot the lowest corner sinks below the entry side [m]; NaN where it does not.
+    /// behind the front corner of the slot the lowest corner sinks below the neighbour's top [m]; NaN where it does not.
     double tail_clears = std::numeric_limits<double>::quiet_NaN();
     double nose_clears = std::numeric_limits<double>::quiet_NaN();
     double tail_slope = 0.0;  ///< their slopes
@@ -52,12 +61,25 @@ public:
     FullSteeringRun(const FullSteering& steering, double entry_heading) : steering_(&steering) {
         const auto [sine, cosine] = angles::sine_cosine(entry_heading);
         heading_ = {cosine, sine, 0};
-        const double front = steering.problem.touching.front;
-        const double side = steering.problem.touching.right + steering.problem.radius;
-        x_ = -front * heading_.c - side * heading_.s;
-        y_ = -front * heading_.s + side * heading_.c;
-        x_slope_ = -y_;
-        y_slope_ = x_;
+        const double front = steering.entry_corner.x;
+        const double side = steering.problem.radius - steering.entry_corner.y;
+        const double x = -front * heading_.c - side * heading_.s;
+        const double y = -front * heading_.s + side * heading_.c;
+        x_ = x;
+        y_ = y - steering.problem.front_setback;
+        x_slope_ = -y;
+        y_slope_ = x;
+        sector_ = steering.backward.sector_of(heading_);
+    }
+
+    /// From any pose in the entering frame, backward or forward first.
+    FullSteeringRun(const FullSteering& steering, const Pose& pose, bool backward)
+        : steering_(&steering), heading_(in_quarters(pose.heading)), backward_(backward) {
+        const auto [sine, cosine] = angles::sine_cosine(pose.heading);
+        const double offset = backward ? steering.problem.radius : -steering.problem.radius;
+        x_ = pose.x - offset * sine;
+        y_ = pose.y + offset * cosine;
+        sector_ = steering.backward.sector_of(heading_);
     }
 
     [[nodiscard]] const QuarterHeading& heading() const { return heading_; }
@@ -69,49 +91,68 @@ public:
     /// Drives the next move to its contact. A move without contact (a full circle) leaves the car where it was.
     template <bool Slope>
     FullMove drive() {
-        const TurningFrame& frames = backward_ ? steering_->backward : steering_->forward;
+        const TurningFrame& frame = backward_ ? steering_->backward : steering_->forward;
+        const int around = 4 * frame.per_quarter;
         FullMove move;
         QuarterHeading now = heading_;
-        const QuarterFrame& first_frame = frames[static_cast<std::size_t>(now.quarter & 3)];
-        move.depth = top_height(first_frame, y_, now.c, now.s);
-        if constexpr (Slope) move.depth_slope = y_slope_ + slope_of_height(first_frame.top, now) * heading_slope_;
-        QuarterContact contact;
-        for (int quarters = 0; quarters <= 4; ++quarters) {
-            const QuarterFrame& frame = frames[static_cast<std::size_t>(now.quarter & 3)];
-            contact = first_contact_in_quarter(frame, x_, y_, steering_->problem, now.c, now.s);
+        int index = sector_;
+        const Sector* sector = &frame.at(now.quarter, index);
+        move.depth = height_of(sector->top, y_, now.c, now.s);
+        if constexpr (Slope) move.depth_slope = y_slope_ + slope_of_height(sector->top, now) * heading_slope_;
+        for (int sectors = 0;; ++sectors) {
+            const First<Plain<double>> first =
+                first_in_sector(frame, *sector, x_, y_, steering_->problem, now.c, now.s);
+            Found contact = first.found;
             // A full circle ends where it began, whatever rounding makes of touching there.
-            if (quarters == 4 && contact.order < heading_.order() + 1e-4) contact.meets = Meets::nothing;
-            if constexpr (Slope) note_graze(frame, now, contact, move);
-            if (contact.meets != Meets::nothing) break;
-            if (y_ + frame.top.y < move.depth) {
-                move.depth = y_ + frame.top.y;
-                move.depth_slope = y_slope_;
+            if (sectors == around && first.order < heading_.order() + 1e-4) contact.meets = Meets::nothing;
+            const bool met = contact.meets != Meets::nothing;
+            if constexpr (Slope) note_graze(*sector, now, met ? contact.meets : Meets::nothing, first.order, move);
+            if (sector->dip_order <= now.order() && !(met && first.order > sector->dip_order))
+                note_depth(y_ - sector->top.radius, y_slope_, move);
+            if (met) {
+                move.meets = contact.meets;
+                move.ahead = contact.ahead;
+                move.part = part_met(frame, *sector, contact.meets, contact.edge);
+                move.stuck = sectors == 0 && first.order == heading_.order();  // and the heading stays as it is
+                if (!move.stuck) {
+                    now.c = first.c;
+                    now.s = first.s;
+                }
+                if constexpr (Slope) {
+                    if (!move.stuck) end_slope_ = end_slope_at(frame, contact, now);
+                    else end_slope_ = heading_slope_;
+                }
+                break;
             }
-            now = {0.0, 1.0, now.quarter + 1};
+            if (sectors == around) break;
+            note_depth(height_of(sector->top, y_, sector->end_c, sector->end_s), y_slope_, move);
+            if (++index == frame.per_quarter) {
+                index = 0;
+                now = {0.0, 1.0, now.quarter + 1};
+            } else {
+                now.c = sector->end_c;
+                now.s = sector->end_s;
+            }
+            sector = &frame.at(now.quarter, index);
         }
-        move.meets = contact.meets;
-        move.ahead = contact.ahead;
         move.quarter = now.quarter;
-        if (contact.meets == Meets::nothing) return move;
-
-        const QuarterFrame& frame = frames[static_cast<std::size_t>(now.quarter & 3)];
-        const bool same_quarter = now.quarter == heading_.quarter;
-        if (same_quarter && contact.order == heading_.order()) {
-            move.stuck = true;  // and the heading stays as it is
-        } else {
-            now.c = contact.c;
-            now.s = contact.s;
-            if constexpr (Slope) heading_slope_ = heading_slope_at(contact);
+        const bool met = move.meets != Meets::nothing;
+        if (met) {
+            const double height = height_of(sector->top, y_, now.c, now.s);
+            if (height < move.depth) {
+                move.depth = height;
+                if constexpr (Slope) move.depth_slope = y_slope_ + slope_of_height(sector->top, now) * end_slope_;
+            }
         }
-        const double height = top_height(frame, y_, now.c, now.s);
-        if (height < move.depth) {
-            move.depth = height;
-            if constexpr (Slope) move.depth_slope = y_slope_ + slope_of_height(frame.top, now) * heading_slope_;
-        }
+        if (!steering_->height_decides) miss_parking(frame, now, met, move);
+        if (!met) return move;
         if constexpr (Slope) {
+            move.end_slope = end_slope_;
             move.graze_slope = y_slope_;
-            if (backward_ && now.quarter == 1) note_clearings(frame, move);
+            if (backward_ && now.quarter == 1) note_clearings(*sector, move);
+            heading_slope_ = end_slope_;
         }
+        sector_ = index;
         turn_over(now);
         return move;
     }
@@ -121,43 +162,58 @@ private:
         return corner.x * at.c - corner.y * at.s;
     }
 
-    /// From the contact's equation by implicit differentiation.
-    [[nodiscard]] double heading_slope_at(const QuarterContact& contact) const {
+    static void note_depth(double height, double slope, FullMove& move) {
+        if (height < move.depth) {
+            move.depth = height;
+            move.depth_slope = slope;
+        }
+    }
+
+    /// The depth where more than the height decides.
+    void miss_parking(const TurningFrame& frame, const QuarterHeading& end, bool met, FullMove& move) const {
+        const QuarterHeading to = met ? end : QuarterHeading{heading_.c, heading_.s, heading_.quarter + 4};
+        const Miss miss = least_miss({&frame, &steering_->problem, x_, y_, x_slope_, y_slope_}, heading_, to,
+                                     heading_slope_, met ? end_slope_ : heading_slope_);
+        move.depth = miss.excess;
+        move.depth_slope = miss.slope;
+    }
+
+    [[nodiscard]] double end_slope_at(const TurningFrame& frame, const Found& contact, const QuarterHeading& at) const {
         switch (contact.meets) {
-            case Meets::front_side:
-            case Meets::rear_side: return x_slope_ / contact.across;
-            case Meets::front_corner: return (x_slope_ * contact.s - y_slope_ * contact.c) / contact.across;
-            case Meets::rear_corner: return (x_slope_ * contact.c + y_slope_ * contact.s) / contact.across;
-            default: return -y_slope_ / contact.across;
+            case Meets::front_side: return slope_of_root(x_slope_, contact.across);
+            case Meets::rear_side: return slope_of_root(-x_slope_, contact.across);
+            case Meets::front_corner:
+            case Meets::rear_corner: {
+                const SeenEdge<Plain<double>>& edge = frame.edges[static_cast<std::size_t>(contact.edge)];
+                const double nx = edge.nx * at.c - edge.ny * at.s;
+                const double ny = edge.nx * at.s + edge.ny * at.c;
+                return slope_of_root(nx * x_slope_ + ny * y_slope_, contact.across);
+            }
+            default: return slope_of_root(-y_slope_, contact.across);
         }
     }
 
     /// The lowest corner's circle reaches down to y - radius; note it where the move sweeps that point or meets the curb.
-    void note_graze(const QuarterFrame& frame, const QuarterHeading& from, const QuarterContact& contact,
-                    FullMove& move) const {
-        if (from.quarter > 1 || frame.graze_order > from.order()) return;
-        const bool stopped = contact.meets != Meets::nothing && contact.meets != Meets::curb;
-        if (stopped && contact.order > frame.graze_order) return;
-        move.graze[static_cast<std::size_t>(from.quarter)] = y_ + steering_->problem.width - frame.lowest.radius;
+    void note_graze(const Sector& sector, const QuarterHeading& from, Meets meets, double order, FullMove& move) const {
+        if (from.quarter < 0 || from.quarter > 1 || sector.graze_order > from.order()) return;
+        if (meets != Meets::nothing && meets != Meets::curb && order > sector.graze_order) return;
+        move.graze[static_cast<std::size_t>(from.quarter)] = y_ + steering_->problem.width - sector.at_curb.radius;
     }
 
-    void note_clearings(const QuarterFrame& frame, FullMove& move) const {
-        const TurningCorner& tail = frame.leftmost;
-        const double along = -steering_->problem.length - x_;
-        const double tail_across = -std::sqrt((tail.radius - along) * (tail.radius + along));
-        const double tail_s = (tail_across * tail.x - along * tail.y) * tail.per_square;
-        const double tail_c = (along * tail.x + tail_across * tail.y) * tail.per_square;
-        if (tail_s >= 0.0 && tail_c >= 0.0) {
-            move.tail_clears = y_ + tail_across;
-            move.tail_slope = y_slope_ + x_slope_ * along / tail_across;
+    void note_clearings(const Sector& sector, FullMove& move) const {
+        const double above_rear = y_ + steering_->problem.rear_setback;
+        const double tail_along = -steering_->problem.length - x_;
+        const Crossing<double> tail = corner_on_wall<Plain<double>, -1>(sector.leftmost, tail_along);
+        const Root<double> tail_at = root<Plain<double>>(tail);
+        if (tail_at.s >= 0.0 && tail_at.c >= 0.0) {
+            move.tail_clears = above_rear - tail_at.across;
+            move.tail_slope = y_slope_ - x_slope_ * tail_along / tail_at.across;
         }
-        const TurningCorner& nose = frame.lowest;
-        const double nose_along = std::sqrt((nose.radius - y_) * (nose.radius + y_));
-        const double nose_s = (-y_ * nose.x - nose_along * nose.y) * nose.per_square;
-        const double nose_c = (nose_along * nose.x - y_ * nose.y) * nose.per_square;
-        if (nose_s >= 0.0 && nose_c >= 0.0) {
-            move.nose_clears = x_ + nose_along;
-            move.nose_slope = x_slope_ - y_slope_ * y_ / nose_along;
+        const double above_front = y_ + steering_->problem.front_setback;
+        const Root<double> nose_at = root<Plain<double>>(corner_on_ground<Plain<double>>(sector.lowest, above_front));
+        if (nose_at.s >= 0.0 && nose_at.c >= 0.0) {
+            move.nose_clears = x_ + nose_at.across;
+            move.nose_slope = x_slope_ - y_slope_ * above_front / nose_at.across;
         }
     }
 
@@ -173,11 +229,13 @@ private:
 
     const FullSteering* steering_;
     QuarterHeading heading_;
+    int sector_ = 0;  ///< in its quarter
     double x_ = 0.0;
     double y_ = 0.0;
     double x_slope_ = 0.0;
     double y_slope_ = 0.0;
     double heading_slope_ = 1.0;
+    double end_slope_ = 1.0;  ///< of the heading at the move's end
     bool backward_ = true;
 };
 

@@ -196,7 +196,7 @@ private:
         for (std::size_t n = 0; n < moves; ++n) {
             const FullMove& a = move(left, n);
             const FullMove& b = move(right, n);
-            const bool smooth = a.meets == b.meets && a.quarter == b.quarter;
+            const bool smooth = a.meets == b.meets && a.part == b.part && a.quarter == b.quarter;
             const double first = a.graze[0] * b.graze[0];  // NaN unless both moves sweep that point
             const double second = a.graze[1] * b.graze[1];
             if (first < 0.0) return split_at_root(left, right, n, first_graze);
@@ -355,26 +355,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<Headings> possible_headings(const Problem& problem) {
-    const double length = problem.touching.front + problem.touching.rear;
-    const double width = problem.touching.left + problem.touching.right;
-    if (length > problem.length) return {};
-    double largest = angles::atan2(problem.radius + problem.touching.right, problem.touching.front);
-    if (problem.width < length) largest = std::min(largest, angles::asin(problem.width / length));
-    largest = std::min(largest, quarter_turn);
-
-    // The rear-left corner is above the entry side up to `level`; until then the rear edge must clear the slot's rear
-    // corner, afterwards the corner must clear the rear side.
-    const double level = angles::atan2(width, length);
-    const double diagonal = angles::hypot(length, width);
-    if (problem.length >= diagonal) return {{0.0, largest}};
-    std::vector<Headings> possible;
-    possible.push_back({0.0, std::min({angles::acos(length / problem.length), level, largest})});
-    const double again = level + angles::acos(problem.length / diagonal);
-    if (again <= largest) possible.push_back({again, largest});
-    return possible;
-}
 
 std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, Find find,
                                             const Progress& progress) {

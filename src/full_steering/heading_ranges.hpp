@@ -17,10 +17,6 @@ struct CountedHeadings {
     int changes = 0;
 };
 
-/// Headings in [0, pi/2] at which the frame, its corner on the slot's front corner, overlaps nothing and the first move
-/// can start: at most two ranges, because the rear end may hit the rear neighbour at middle headings only.
-std::vector<Headings> possible_headings(const Problem& problem);
-
 /// What to look for among the headings that need at most `max_changes`.
 enum class Find { all, fewest, any };
 

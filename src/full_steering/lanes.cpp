@@ -1,8 +1,8 @@
 // The paper's strategy in the lanes of a vector: every lane drives its own case, and takes the next one when it is done.
 //
 // A step takes each lane through one quarter turn: to the contact and across to the next turning centre, or on into the
-// next quarter. It is first_contact_in_quarter() and FullSteeringRun::drive() with the same operations in the same order,
-// branches turned into masks, so every lane has the same bits. Cases that turn past -pi/2 are rare and driven alone.
+// next quarter. Contacts are found by the source that the scalar uses (sector.inl), so every lane has the same bits.
+// Rectangles only, which have a sector for each quarter turn. Cases that turn past -pi/2 are rare and driven alone.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +34,7 @@ constexpr std::size_t lanes = hn::MaxLanes(reals);
 /// Vectors stepped in turn, so that one can begin while another waits for its roots.
 constexpr std::size_t vectors = 2;
 
-/// The frame's numbers in one quarter turn (see QuarterFrame) for every way the lanes may be turning: the index is 1 for
+/// The frame's numbers in one quarter turn (see Sector) for every way the lanes may be turning: the index is 1 for
 /// forward, plus 2 in the second quarter.
 struct Frames {
     enum Number {
@@ -56,7 +56,7 @@ struct Frames {
 
     explicit Frames(const FullSteering& steering) {
         for (std::size_t i = 0; i < 4; ++i) {
-            const QuarterFrame& frame = (i % 2 == 1 ? steering.forward : steering.backward)[i / 2];
+            const Sector& frame = (i % 2 == 1 ? steering.forward : steering.backward).sectors[i / 2];
             const std::array<double, numbers> of = {frame.lowest.x,
                                                     frame.lowest.y,
                                                     frame.rightmost.x,
@@ -96,52 +96,33 @@ private:
     Integer index_;
 };
 
-/// A corner of the frame seen from the turning centre.
-struct Corner {
-    Real x, y, radius, per_square;
+/// What the equations need to know of the lanes: see Plain in crossing.hpp.
+struct Lanes {
+    using Real = hn::Vec<Reals>;
+    using Mask = hn::Mask<Reals>;
+    static constexpr bool alone = false;
+
+    static HWY_INLINE Real set(double value) { return hn::Set(reals, value); }
+    static HWY_INLINE Real sqrt(Real value) { return hn::Sqrt(value); }
+    static HWY_INLINE Real minus(Real value) { return hn::Neg(value); }
+    static HWY_INLINE Real abs(Real value) { return hn::Abs(value); }
+    static HWY_INLINE Real least(Real a, Real b) { return hn::Min(a, b); }
+    static HWY_INLINE Real select(Mask mask, Real yes, Real no) { return hn::IfThenElse(mask, yes, no); }
+    static HWY_INLINE Mask both(Mask a, Mask b) { return hn::And(a, b); }
+    static HWY_INLINE Mask either(Mask a, Mask b) { return hn::Or(a, b); }
+    static HWY_INLINE Mask opposite(Mask a) { return hn::Not(a); }
+    static HWY_INLINE bool none(Mask) { return false; }  // some lane nearly always has something left
+    static HWY_INLINE bool rarely(Mask mask) { return HWY_UNLIKELY(!hn::AllFalse(reals, mask)); }
 };
 
-/// The first contact of a quarter turn as far as it is known; without one, the end of the quarter.
-class First {
-public:
-    HWY_INLINE First(Real start_c, Real start_s)
-        : start_c_(start_c),
-          start_s_(start_s),
-          start_order_(start_s - start_c),
-          c(hn::Set(reals, 1.0)),
-          s(hn::Zero(reals)),
-          order(hn::Set(reals, -2.0)) {}
+#define SNUG_INLINE HWY_INLINE
+#define SNUG_LAMBDA HWY_ATTR
+#include "contact/crossing.inl"
+#include "contact/sector.inl"
+#undef SNUG_INLINE
+#undef SNUG_LAMBDA
 
-    /// `touching`: the car touches this obstacle at the start, closing in; `slips_off`: but bound to miss it.
-    HWY_INLINE void consider(Real at_c, Real at_s, Mask exists, Mask touching, Mask slips_off) {
-        const Real at_order = at_s - at_c;
-        const Real later = start_order_ - at_order;
-        const Mask touches = hn::And(touching, hn::Abs(later) < hn::Set(reals, near_start));
-        const Mask ahead = hn::Min(hn::Min(at_s, at_c), later) >= hn::Zero(reals);
-        const Mask here = hn::AndNot(slips_off, touches);
-        const Mask met = hn::And(exists, hn::Or(here, hn::AndNot(touches, ahead)));
-        const Real met_order = hn::IfThenElse(here, start_order_, at_order);
-        const Mask earlier = hn::And(met, met_order > order);
-        c = hn::IfThenElse(earlier, at_c, c);
-        s = hn::IfThenElse(earlier, at_s, s);
-        order = hn::IfThenElse(earlier, met_order, order);
-    }
-
-    /// What is met at the start is met right there.
-    HWY_INLINE void settle() {
-        c = hn::IfThenElse(at_start(), start_c_, c);
-        s = hn::IfThenElse(at_start(), start_s_, s);
-    }
-
-    [[nodiscard]] HWY_INLINE Mask found() const { return order > hn::Set(reals, -2.0); }
-    [[nodiscard]] HWY_INLINE Mask at_start() const { return order == start_order_; }
-
-private:
-    Real start_c_, start_s_, start_order_;
-
-public:
-    Real c, s, order;
-};
+using Corner = SeenCorner<Real>;
 
 /// What does not change from step to step.
 struct Constants {
@@ -184,90 +165,22 @@ public:
         const Corner rightmost = {pick(Frames::right), lowest.y, pick(Frames::rightmost_radius),
                                   pick(Frames::rightmost_per_square)};
 
-        First first(start_c, start_s);
-        const auto turned_x = [&](const Corner& corner) HWY_ATTR { return corner.x * start_c - corner.y * start_s; };
-        const auto turned_y = [&](const Corner& corner) HWY_ATTR { return corner.x * start_s + corner.y * start_c; };
-
-        const auto corner_meets_side = [&](const Corner& corner, Real wall, auto on_the_left) HWY_ATTR {
-            const Real along = wall - x;
-            const Real root = hn::Sqrt((corner.radius - along) * (corner.radius + along));
-            const Real across = on_the_left ? hn::Neg(root) : root;
-            const Real s = (across * corner.x - along * corner.y) * corner.per_square;
-            const Real c = (along * corner.x + across * corner.y) * corner.per_square;
-            const Real height = y + corner.x * s + corner.y * c;
-            const Real start_x = turned_x(corner);
-            const Real start_y = turned_y(corner);
-            const Mask closes_in =
-                hn::And(hn::Abs(along - start_x) <= touch, on_the_left ? start_y < zero : start_y > zero);
-            const Mask slips_off = hn::And(y + start_y >= zero - touch, start_x <= zero);
-            const Mask lifted = hn::And(height <= touch, hn::AndNot(slips_off, closes_in));
-            const Mask exists = hn::Or(height <= zero, lifted);  // false where there is no root
-            first.consider(c, s, exists, closes_in, slips_off);
-        };
-        const Mask never = zero > zero;
-        const auto corner_meets_ground = [&](Real ground, auto is_there) HWY_ATTR {
-            const Real across = ground - y;
-            const Real along = hn::Sqrt((lowest.radius - across) * (lowest.radius + across));
-            const Real s = (across * lowest.x - along * lowest.y) * lowest.per_square;
-            const Real c = (along * lowest.x + across * lowest.y) * lowest.per_square;
-            const Mask closes_in = hn::And(hn::Abs(turned_y(lowest) - across) <= touch, turned_x(lowest) > zero);
-            const Mask exists = is_there(along >= zero, c, s, closes_in);
-            first.consider(c, s, exists, closes_in, never);
-        };
-
-        corner_meets_side(rightmost, zero, std::false_type());
-        corner_meets_side(leftmost, zero - length, std::true_type());
-        corner_meets_ground(zero - width, [](Mask exists, Real, Real, Mask) HWY_ATTR { return exists; });
-        const Mask high = y + lowest.x * start_s + lowest.y * start_c > zero - touch;
-        if (HWY_UNLIKELY(!hn::AllFalse(reals, high))) {
-            const auto lands = [&](Mask exists, Real beyond_end, Mask moves_onto) HWY_ATTR {
-                const Mask onto = hn::Or(beyond_end > touch, hn::And(beyond_end >= zero - touch, moves_onto));
-                return hn::And(hn::And(high, exists), onto);
-            };
-            const auto where = [&](Real c, Real s) HWY_ATTR { return x + lowest.x * c - lowest.y * s; };
-            corner_meets_ground(zero, [&](Mask exists, Real c, Real s, Mask closes_in) HWY_ATTR {
-                return lands(exists, where(c, s), hn::And(closes_in, turned_y(lowest) > zero));
-            });
-            corner_meets_ground(zero, [&](Mask exists, Real c, Real s, Mask closes_in) HWY_ATTR {
-                return lands(exists, zero - length - where(c, s), hn::And(closes_in, turned_y(lowest) < zero));
-            });
-        }
-        {
-            const Real gx = zero - x;
-            const Real gy = zero - y;
-            const Real along = hn::Sqrt(gx * gx + gy * gy - lowest.y * lowest.y);
-            const Mask exists = hn::And(along <= rightmost.x + touch, along >= lowest.x - touch);
-            const Real per_square = hn::Set(reals, 1.0) / (gx * gx + gy * gy);
-            const Real start_x = gx * start_c + gy * start_s;
-            const Real start_y = gy * start_c - gx * start_s;
-            const Mask closes_in = hn::And(hn::Abs(start_y - lowest.y) <= touch, start_x > zero);
-            const Mask slips_off = hn::Or(hn::And(start_x >= rightmost.x - touch, start_y <= zero),
-                                          hn::And(start_x <= lowest.x + touch, start_y >= zero));
-            first.consider((gx * along + gy * lowest.y) * per_square, (gy * along - gx * lowest.y) * per_square, exists,
-                           closes_in, slips_off);
-        }
-        {
-            const Real gx = zero - length - x;
-            const Real gy = zero - y;
-            const Real across = hn::Neg(hn::Sqrt(gx * gx + gy * gy - lowest.x * lowest.x));
-            const Mask exists = hn::And(across <= leftmost.y + touch, across >= lowest.y - touch);
-            const Real per_square = hn::Set(reals, 1.0) / (gx * gx + gy * gy);
-            const Real start_x = gx * start_c + gy * start_s;
-            const Real start_y = gy * start_c - gx * start_s;
-            const Mask closes_in = hn::And(hn::Abs(start_x - lowest.x) <= touch, start_y < zero);
-            const Mask slips_off = hn::Or(hn::And(start_y >= leftmost.y - touch, start_x >= zero),
-                                          hn::And(start_y <= lowest.y + touch, start_x <= zero));
-            first.consider((gx * lowest.x + gy * across) * per_square, (gy * lowest.x - gx * across) * per_square,
-                           exists, closes_in, slips_off);
-        }
-
+        First<Lanes> first(start_c, start_s, hn::Set(reals, -2.0));
+        first.corners_meet(lowest, leftmost, rightmost, lowest, {x, y, length, y + width, y, y, touch});
+        const Real minus_one = hn::Set(reals, -1.0);
+        const SeenEdge<Lanes> front = {zero,         minus_one,        hn::Neg(lowest.y), lowest.x, rightmost.x,
+                                       lowest.y >= zero, lowest.y <= zero};
+        first.edge_meets_corner(front, zero - x, zero - y, touch, Meets::front_corner, 0);
+        const SeenEdge<Lanes> rear = {minus_one,        zero,           hn::Neg(lowest.x), hn::Neg(leftmost.y),
+                                      hn::Neg(lowest.y), lowest.x >= zero, lowest.x <= zero};
+        first.edge_meets_corner(rear, zero - x - length, zero - y, touch, Meets::rear_corner, 0);
         first.settle();
 
         const Real top_x = pick(Frames::top_x);
         const Real top_y = pick(Frames::top_y);
-        const Mask found = first.found();
+        const Mask found = first.order > hn::Set(reals, -2.0);
         const Mask move_starts = hn::RebindMask(reals, crossed == hn::Zero(whole));
-        const Mask stuck = hn::And(move_starts, first.at_start());
+        const Mask stuck = hn::And(move_starts, first.at_the_start());
         const Mask inside =
             hn::Or(y + top_x * start_s + top_y * start_c <= zero, y + top_x * first.s + top_y * first.c <= zero);
         const Mask second = hn::RebindMask(reals, quarter == one);

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "contact/entering.hpp"
+#include "contact/parking.hpp"
+#include "snug/contact.hpp"
+#include "snug/entry_position.hpp"
 #include "full_steering/full_steering.hpp"
-#include "full_steering/heading_ranges.hpp"
 
 namespace snug {
 
@@ -15,47 +17,28 @@ namespace {
 
 using namespace detail;
 
-/// Where a parking move about a centre at height y stops: as parallel to the slot as it can while the frame is inside.
-/// In the first quarter turn that is as late as possible, at the parallel heading or at the contact; later it is the
-/// moment the frame comes in, when its highest corner sinks through the entry side.
-QuarterHeading goal_heading(const TurningFrame& frames, double y, const QuarterHeading& start,
-                            const QuarterHeading& contact) {
-    QuarterHeading from = start;
-    for (; from.quarter < contact.quarter; from = {0.0, 1.0, from.quarter + 1}) {
-        if (top_height(frames[static_cast<std::size_t>(from.quarter & 3)], y, 1.0, 0.0) <= 0.0) break;
-    }
-    const QuarterHeading last = from.quarter < contact.quarter ? QuarterHeading{1.0, 0.0, from.quarter} : contact;
-    const QuarterFrame& frame = frames[static_cast<std::size_t>(from.quarter & 3)];
-    if (top_height(frame, y, last.c, last.s) > 0.0 || top_height(frame, y, from.c, from.s) <= 0.0) return from;
-    if (from.quarter == 0) return last;
-    const TurningCorner& top = frame.top;
-    const double along = std::sqrt((top.radius - y) * (top.radius + y));
-    return {(along * top.x - y * top.y) * top.per_square, (-y * top.x - along * top.y) * top.per_square, from.quarter};
+/// Where a parking move stops: as parallel to the slot as it can while the car is parked, from the first moment it is.
+QuarterHeading goal_heading(const Turn& turn, const QuarterHeading& start, const QuarterHeading& end) {
+    std::optional<ParkedTurn> parked = first_parked(turn, start, end, 0.0);
+    if (!parked) parked = first_parked(turn, start, end, turn.problem->touch);
+    if (!parked) return end;  // only rounding knows
+    if (parked->to.quarter <= 0) return parked->to;
+    if (parked->from.quarter > 0) return parked->from;
+    return {1.0, 0.0, 0};
 }
 
-}  // namespace
-
-MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const MaxSteerOptions& options) {
-    check(options);
-    check_entry_heading(heading);
-    MaxSteerRun run{Outcome::no_entry, {car, {}}};
-    const FullSteering steering(entering_problem(car, slot, options.driving.enter, options.driving.clearance));
-    const std::vector<Headings> possible = possible_headings(steering.problem);
-    if (std::none_of(possible.begin(), possible.end(),
-                     [heading](const Headings& range) { return range.min <= heading && heading <= range.max; }))
-        return run;
-
-    FullSteeringRun driven(steering, heading);
+MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering, FullSteeringRun driven, Pose pose,
+                  bool may_be_parked, const MaxSteerOptions& options) {
+    MaxSteerRun run{Outcome::too_many_changes, {car, {}}};
     const double radius = steering.problem.radius;
-    Pose pose{driven.x() + radius * driven.heading().s, driven.y() - radius * driven.heading().c, heading};
-    run.outcome = Outcome::too_many_changes;
     for (int changes = 0; changes <= options.max_changes; ++changes) {
         const bool backward = driven.backward();
         const double centre_x = driven.x();
         const double centre_y = driven.y();
         const QuarterHeading start = driven.heading();
         const FullMove full = driven.drive<false>();
-        if (full.stuck) {
+        // With a clearance the car can be inside at a steep entry position whose first move cannot start.
+        if (full.stuck && !(may_be_parked && full.depth <= 0.0)) {
             run.outcome = changes == 0 ? Outcome::no_entry : Outcome::stuck;
             break;
         }
@@ -64,7 +47,8 @@ MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const Ma
         const bool parked = full.depth <= 0.0;
         if (parked) {
             const QuarterHeading contact = touches ? end : QuarterHeading{start.c, start.s, start.quarter + 4};
-            end = goal_heading(backward ? steering.backward : steering.forward, centre_y, start, contact);
+            const TurningFrame& frame = backward ? steering.backward : steering.forward;
+            end = goal_heading({&frame, &steering.problem, centre_x, centre_y}, start, contact);
             touches = touches && end.quarter == contact.quarter && end.order() == contact.order();
         } else if (!touches) {
             run.outcome = Outcome::never_touches;
@@ -80,7 +64,8 @@ MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const Ma
         move.length = radius * (pose.heading - turned_to);
         pose = {centre_x + offset * end.sine(), centre_y - offset * end.cosine(), turned_to};
         move.end = to_world(slot, options.driving.enter, pose);
-        if (touches) move.contact = to_world(slot, options.driving.enter, contact_of(full.meets, full.quarter));
+        if (touches) 
+            move.contact = contact_of(car, slot, options.driving.enter, steering.problem, full.meets, full.part);
         run.maneuver.moves.push_back(move);
         if (parked) {
             run.outcome = Outcome::parked;
@@ -88,6 +73,54 @@ MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const Ma
         }
     }
     return run;
+}
+
+}  // namespace
+
+MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const MaxSteerOptions& options) {
+    check(options);
+    check_entry_heading(heading);
+    const FullSteering steering(entering_problem(car, slot, options.driving, options.parked));
+    if (!lies_in(detail::possible_headings(steering.problem), heading)) return {Outcome::no_entry, {car, {}}};
+    const FullSteeringRun at_entry(steering, heading);
+    const double radius = steering.problem.radius;
+    const QuarterHeading& way = at_entry.heading();
+    return drive(car, slot, steering, at_entry, {at_entry.x() + radius * way.s, at_entry.y() - radius * way.c, heading},
+                 false, options);
+}
+
+MaxSteerRun max_steer(const Car& car, const Slot& slot, const Pose& pose, Direction direction,
+                      const MaxSteerOptions& options) {
+    check(options);
+    if (!is_free(car, slot, pose, options.driving)) return {Outcome::no_entry, {car, {}}};
+    const FullSteering steering(entering_problem(car, slot, options.driving, options.parked));
+    const Enter enter = options.driving.enter;
+    const Pose seen = to_entering(slot, enter, pose);
+    const bool backward = entering_direction(enter, direction) == Direction::backward;
+    return drive(car, slot, steering, FullSteeringRun(steering, seen, backward), seen, true, options);
+}
+
+std::string_view to_string(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::parked: return "parked";
+        case Outcome::no_entry: return "no entry";
+        case Outcome::stuck: return "stuck";
+        case Outcome::never_touches: return "never touches";
+        case Outcome::too_many_changes: return "too many changes";
+    }
+    return "";
+}
+
+Pose entry_position(const Car& car, const Slot& slot, double heading, const Driving& driving) {
+    check(driving);
+    check_entry_heading(heading);
+    const Problem problem = entering_problem(car, slot, driving);
+    return to_world(slot, driving.enter, entry_pose(problem, entry_corner(problem), heading));
+}
+
+std::vector<Headings> possible_headings(const Car& car, const Slot& slot, const Driving& driving) {
+    check(driving);
+    return detail::possible_headings(entering_problem(car, slot, driving));
 }
 
 }  // namespace snug

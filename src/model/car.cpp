@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "model/angles.hpp"
-#include "model/check.hpp"
-#include "model/spelling.hpp"
+#include "sentences/check.hpp"
+#include "sentences/spelling.hpp"
 
 namespace snug {
 namespace {
@@ -104,6 +104,17 @@ double Car::curb_to_curb() const {
     return 2.0 * angles::hypot(turning_radius() + dimensions_.width / 2.0, dimensions_.wheelbase);
 }
 
+double Car::wall_to_wall() const {
+    double radius = 0.0;  // of the point that is farthest from the circle's centre, at (0, r) or (0, -r)
+    for (const Point& corner : outline_.corners())
+        radius = std::max(radius, angles::hypot(turning_radius() + std::abs(corner.y), corner.x));
+    return 2.0 * radius;
+}
+
+bool Car::is_rectangle() const {
+    return outline_ == Outline::rectangle(dimensions_.front, dimensions_.rear, dimensions_.width / 2.0);
+}
+
 std::vector<Point> placed(const Outline& outline, const Pose& pose) {
     const auto [s, c] = angles::sine_cosine(pose.heading);
     std::vector<Point> corners;
@@ -123,6 +134,18 @@ double steer_for_curb_to_curb(double wheelbase, double width, double diameter) {
     const double radius = std::sqrt((outer - wheelbase) * (outer + wheelbase)) - width / 2.0;
     return diameter > 0.0 && radius > 0.0 ? steer_for_turning_radius(wheelbase, radius)
                                           : std::numeric_limits<double>::quiet_NaN();
+}
+
+double steer_for_wall_to_wall(const Outline& outline, double wheelbase, double diameter) {
+    // Every corner stays within the circle, and one is on it: the least of the radii that each alone would allow.
+    const double outer = diameter / 2.0;
+    double radius = std::numeric_limits<double>::infinity();
+    for (const Point& corner : outline.corners())
+        radius = std::min(radius, std::sqrt((outer - corner.x) * (outer + corner.x)) - std::abs(corner.y));
+    const bool reached = std::all_of(outline.corners().begin(), outline.corners().end(),
+                                     [&](const Point& corner) { return std::abs(corner.x) <= outer; });
+    return reached && radius > 0.0 ? steer_for_turning_radius(wheelbase, radius)
+                                   : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<Car> catalogue() {

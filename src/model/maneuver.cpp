@@ -77,6 +77,10 @@ std::string_view to_string(CarPart part) {
         case CarPart::left_edge: return "left edge";
         case CarPart::rear_edge: return "rear edge";
         case CarPart::right_edge: return "right edge";
+        case CarPart::front_left_wheel: return "front-left wheel";
+        case CarPart::rear_left_wheel: return "rear-left wheel";
+        case CarPart::rear_right_wheel: return "rear-right wheel";
+        case CarPart::front_right_wheel: return "front-right wheel";
     }
     return "";
 }
@@ -102,6 +106,10 @@ CarPart mirrored(CarPart part) {
         case CarPart::front_right_corner: return CarPart::front_left_corner;
         case CarPart::left_edge: return CarPart::right_edge;
         case CarPart::right_edge: return CarPart::left_edge;
+        case CarPart::front_left_wheel: return CarPart::front_right_wheel;
+        case CarPart::rear_left_wheel: return CarPart::rear_right_wheel;
+        case CarPart::rear_right_wheel: return CarPart::rear_left_wheel;
+        case CarPart::front_right_wheel: return CarPart::front_left_wheel;
         case CarPart::front_edge:
         case CarPart::rear_edge: break;
     }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug {
 namespace {

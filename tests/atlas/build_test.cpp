@@ -187,16 +187,19 @@ TEST(AtlasBuild, BetweenGridPointsWhatIsDrivenIsFreeOfContact) {
             SCOPED_TRACE(car.name() + " " + std::to_string(length) + " x " + std::to_string(width));
             const SlotDimensions slot = {.length = length, .width = width};
             const Maneuver driven = maneuver(answer.cell, car, Slot(slot));
-            const auto problem = oracle::make_problem<double>(car.dimensions(), length, width, 0.0, Enter::backward);
+            oracle::Case asked;
+            asked.car = car.dimensions();
+            asked.slot = slot;
+            const auto problem = oracle::make_problem<double>(asked);
             int changes = 0;
             for (std::size_t k = 0; k < driven.moves.size(); ++k) {
                 const Move& move = driven.moves[k];
                 changes += k > 0 && move.direction != driven.moves[k - 1].direction ? 1 : 0;
                 const auto path = oracle::path_of(slot, car.dimensions(), move);
-                ASSERT_LE(oracle::deepest(problem.grown, problem.gap, path, move.length), 1e-9) << "move " << k;
+                ASSERT_TRUE(oracle::is_free(problem, path, move.length, 1e-9)) << "move " << k;
             }
             const auto goal = oracle::into_slot(slot, driven.moves.back().end);
-            ASSERT_LE(oracle::outside(problem.car, goal, problem.gap), 1e-9);
+            ASSERT_LE(oracle::outside(problem, goal), 1e-9);
             ASSERT_EQ(changes, answer.cell.direction_changes());
             ASSERT_LE(answer.lower_bound, changes);
         }
@@ -333,7 +336,7 @@ TEST(AtlasDatabase, RefusesWhatIsNone) {
         return file;
     };
     expect(read(with_sql("PRAGMA application_id = 5")), "another program");
-    expect(read(with_sql("PRAGMA user_version = 2")), "version 2 of the atlas's tables");
+    expect(read(with_sql("PRAGMA user_version = 1")), "version 1 of the atlas's tables");
     expect(refused(with_sql("UPDATE provenance SET value = '0.0.1' WHERE key = 'snug'"), small_plan()),
            "answers of snug 0.0.1");
     const AtlasDatabase damaged(with_sql("DELETE FROM car"));
@@ -343,7 +346,7 @@ TEST(AtlasDatabase, RefusesWhatIsNone) {
          {"UPDATE cell SET direction_changes = direction_changes + 1", "UPDATE cell SET proved = 1 - proved",
           "UPDATE cell SET entry_y = 1", "UPDATE move SET length = 1 WHERE number = 1",
           "DELETE FROM move WHERE number = 0", "UPDATE entry_range SET heading_max = heading_max + 1e-9",
-          "DELETE FROM entry_range", "UPDATE cell SET seal = 0", "UPDATE car SET wheelbase = 2.5",
+          "DELETE FROM entry_range", "UPDATE cell SET checksum = 0", "UPDATE car SET wheelbase = 2.5",
           "UPDATE car SET name = 'zoe'", "UPDATE provenance SET value = 0.1 WHERE key = 'clearance'"})
         expect(read_all(with_sql(altered)), "is not what was stored; restore a copy");
     expect(read_all(with_sql("UPDATE car SET width = -1")), "is damaged");
@@ -363,12 +366,12 @@ TEST(AtlasBuild, AsksNoMoreWhenNothingIsLeft) {
     for (int threads = 1; threads <= 8; ++threads) {
         int batches = 5;
         int stored = 0;
-        const CellDesk desk = {[&] {
+        const CellQueue queue = {[&] {
                                    EXPECT_GE(batches, 0) << "asked again";  // where next() waits, that is for ever
                                    return --batches < 0 ? CellBatch{} : CellBatch{0, plan.widths[0], {plan.lengths[0]}};
                                },
                                [&](const SolvedBatch& solved) { stored += static_cast<int>(solved.answers.size()); }};
-        solve_all(plan, desk, threads, {});
+        solve_all(plan, queue, threads, {});
         EXPECT_EQ(stored, 5);
         EXPECT_EQ(batches, -1);
     }

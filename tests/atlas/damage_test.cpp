@@ -275,8 +275,8 @@ TEST(HostileAtlas, IsToldWhatIsImpossible) {
     EXPECT_TRUE(lost(blocks + offsetof(Record, moves), huge));
     EXPECT_TRUE(lost(blocks + offsetof(Record, ranges), huge));
     EXPECT_TRUE(lost(blocks + offsetof(Record, body_at), huge));
-    EXPECT_TRUE(lost(first_code, std::uint8_t{41})) << "no such contact";
-    EXPECT_FALSE(lost(first_code, std::uint8_t{40}));
+    EXPECT_TRUE(lost(first_code, std::uint8_t{61})) << "no such contact";
+    EXPECT_FALSE(lost(first_code, std::uint8_t{60}));
     EXPECT_TRUE(lost(first_code, std::uint8_t{3 << 6})) << "a stored angle where none is";
     EXPECT_TRUE(lost(trailer.index_at, std::uint64_t{0})) << "a block in the front part";
     EXPECT_TRUE(lost(trailer.index_at, trailer.file_bytes)) << "a block behind the file";
@@ -302,8 +302,12 @@ TEST(ForeignFile, IsRefusedWithAReason) {
     has(said(folder.with("cut", whole.substr(0, 1000))), "ends after 1000 bytes, but not as an atlas ends");
     has(said(folder.with("begin", whole.substr(0, 5))), "ends after 5 bytes, too few");
     std::string newer = whole;
-    newer[8] = 2;
-    has(said(folder.with("newer", newer)), "has format version 2, but snug");
+    newer[8] = 3;
+    has(said(folder.with("newer", newer)), "has format version 3, but snug");
+    std::string older = whole;
+    older[8] = 1;
+    has(said(folder.with("older", older)), "has format version 1, but snug");
+    has(said(folder.with("older", older)), "export it again");
     ASSERT_EQ(mkfifo(folder.file("pipe").c_str(), 0600), 0);
     has(said(folder.file("pipe")), "is no regular file");
     has(said("/dev/zero"), "is no regular file");

@@ -60,7 +60,14 @@ inline std::vector<Car> random_cars(Random& random, int most) {
     for (const std::string& name : names) {
         oracle::Case chosen;
         oracle::choose_car(random, chosen);
-        cars.emplace_back(chosen.car, name);
+        if (random.chance(0.7)) {
+            cars.emplace_back(chosen.car, name);
+            continue;
+        }
+        const CarDimensions& d = chosen.car;
+        const double round = 0.2 * std::min({d.front, d.rear, d.width});
+        cars.emplace_back(Outline::rounded(d.front, d.rear, d.width / 2.0, round, 0.5 * round), d.wheelbase, d.max_steer,
+                          name);
     }
     return cars;
 }

@@ -49,12 +49,7 @@ void expect_same(const WrittenAtlas& written, const Atlas& read) {
         EXPECT_EQ(read.find_car(car.name()), c);
         EXPECT_EQ(read.find_car(car.name() + ' '), std::nullopt);
         const Car stored = read.car(c);
-        EXPECT_EQ(stored.name(), car.name());
-        EXPECT_EQ(stored.width(), car.width());
-        EXPECT_EQ(stored.front(), car.front());
-        EXPECT_EQ(stored.rear(), car.rear());
-        EXPECT_EQ(stored.wheelbase(), car.wheelbase());
-        EXPECT_EQ(stored.max_steer(), car.max_steer());
+        EXPECT_EQ(stored, car);
         for (std::size_t w = 0; w < plan.widths.size(); ++w) {
             for (std::size_t l = 0; l < plan.lengths.size(); ++l) {
                 const std::optional<AtlasCell> cell = read.cell(c, w, l);

@@ -97,6 +97,23 @@ TEST(BadInput, NumbersOutOfRange) {
     expect_refusal(run(zoe + "--corner 1,nan"), {"--corner", "nan"});
 }
 
+TEST(BadInput, NeighboursAndCurb) {
+    expect_refusal(run(zoe + "--front-setback 2.5"), {"--front-setback is 2.5 m", "2 m wide"});
+    expect_refusal(run(zoe + "--rear-setback 2.5"), {"--rear-setback is 2.5 m", "2 m wide"});
+    expect_refusal(run(zoe + "--front-setback -0.1"), {"--front-setback", "between 0"});
+    expect_refusal(run(zoe + "--curb medium"), {"--curb", "high or low"});
+    expect_refusal(run(zoe + "--curb-clearance -1"), {"--curb-clearance"});
+    expect_refusal(run(zoe + "--parked-heading 91"), {"--parked-heading is 91 degrees", "between 0 and 90 degrees"});
+    expect_refusal(run(zoe + "--parked-curb x"), {"--parked-curb", "metres"});
+    for (const char* strategy : {"stepping", "reversed-trials", "parallel-trials"})
+        for (const char* option : {"--front-setback 0.1", "--rear-setback 0.1", "--curb low", "--curb-clearance 0",
+                                   "--parked-heading 3", "--parked-curb 0.2"})
+            expect_refusal(run(zoe + "--strategy " + strategy + " " + option),
+                           {words(option)[0], "max-steer or fewest"});
+    expect_refusal(run("leave --car renault-zoe --length 5 --width 2 --gap-front 0.3 --gap-curb 0.1 --parked-curb 1"),
+                   {"--parked-curb"});
+}
+
 TEST(BadInput, DegreesInPlaceOfRadians) {
     expect_refusal(run(zoe + "--heading 90"), {"--heading is 90 rad", "90 degrees are 1.57079632679 rad"});
     expect_refusal(run(zoe + "--heading=-45"), {"--heading is -45 rad", "-45 degrees are -0.785398163397 rad"});

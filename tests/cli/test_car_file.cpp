@@ -39,6 +39,99 @@ TEST(CarFile, SteeringMayBeGivenInFourWays) {
     EXPECT_NEAR(car_saying(R"(, "curb_to_curb": )" + write(car.curb_to_curb())).max_steer(), 0.6, 1e-14);
 }
 
+TEST(CarFile, DataSheetsDescribeACar) {
+    const auto car = [](const std::string& keys) {
+        return car_from_json("{" + keys + R"(, "width": 1.8, "wheelbase": 2.6, "max_steer": 0.6})", "my.json");
+    };
+    for (const char* keys :
+         {R"("front_overhang": 1.0, "rear_overhang": 0.75)", R"("length": 4.35, "front_overhang": 1.0)",
+          R"("length": 4.35, "rear_overhang": 0.75)", R"("length": 4.35, "front": 3.6)",
+          R"("front": 3.6, "rear": 0.75, "length": 4.35, "front_overhang": 1.0)"}) {
+        EXPECT_NEAR(car(keys).front(), 3.6, 1e-14) << keys;
+        EXPECT_NEAR(car(keys).rear(), 0.75, 1e-14) << keys;
+    }
+    const Car zoe = *find_car("renault-zoe");
+    Json json = as_json(zoe);
+    json.erase("max_steer");
+    json["wall_to_wall"] = zoe.wall_to_wall();
+    EXPECT_NEAR(car_from_json(json.dump(), "").max_steer(), zoe.max_steer(), 1e-14);
+    EXPECT_NEAR(zoe.wall_to_wall(), 2.0 * std::hypot(zoe.turning_radius() + zoe.width() / 2.0, zoe.front()), 1e-14);
+}
+
+TEST(CarFile, AnOutlineIsACarsShape) {
+    const std::string rest = R"(, "wheelbase": 2.6, "max_steer": 0.6, "name": "wedge"})";
+    const Car car = car_from_json(R"({"outline": [[3.6, 0.5], [-0.8, 0.9], [-0.8, -0.9], [3.6, -0.5]])" + rest, "");
+    EXPECT_EQ(car.width(), 1.8);
+    EXPECT_EQ(car.front(), 3.6);
+    EXPECT_EQ(car.rear(), 0.8);
+    const Json echoed = as_json(car);
+    EXPECT_EQ(echoed["outline"].size(), 4U);
+    EXPECT_FALSE(echoed.contains("corner_radius"));
+    EXPECT_EQ(car_from_json(write(echoed), ""), car) << "the answer's car is a car file";
+    const Car box = car_from_json(R"({"outline": [[3.6, 0.9], [-0.8, 0.9], [-0.8, -0.9], [3.6, -0.9]])" + rest, "");
+    EXPECT_FALSE(as_json(box).contains("outline"));
+    EXPECT_EQ(box, Car({1.8, 3.6, 0.8, 2.6, 0.6}, "wedge"));
+}
+
+TEST(CarFile, CornersMayBeRound) {
+    EXPECT_EQ(car_saying(R"(, "max_steer": 0.6, "corner_radius": 0.3)").outline(),
+              Outline::rounded(3.6, 0.8, 0.9, 0.3, 0.3));
+    EXPECT_EQ(car_saying(R"(, "max_steer": 0.6, "corner_radius": {"rear": 0.2, "front": 0.4})").outline(),
+              Outline::rounded(3.6, 0.8, 0.9, 0.4, 0.2));
+    EXPECT_TRUE(car_saying(R"(, "max_steer": 0.6, "corner_radius": 0)").is_rectangle());
+    const Car round = car_saying(R"(, "max_steer": 0.6, "corner_radius": 0.3)");
+    EXPECT_EQ(car_from_json(write(as_json(round)), ""), round);
+}
+
+TEST(CarFile, OutlinesThatAreWrongAreTold) {
+    const std::string rest = R"(, "wheelbase": 2.6, "max_steer": 0.6})";
+    const auto expect = [&](const std::string& outline, const std::vector<std::string>& named) {
+        expect_error(R"({"outline": )" + outline + rest, named);
+    };
+    expect("[]", {"\"outline\""});
+    expect("[[3.6, 0.9], [-0.8, 0.9]]", {"\"outline\""});
+    expect("[[3.6, 0.9], [1, 0.1], [-0.8, 0.9], [-0.8, -0.9], [3.6, -0.9]]", {"\"outline\"", "convex"});
+    expect("[[3.6, 0.9], [-0.8], [3.6, -0.9]]", {"\"outline\"", "[x, y]", "1 number"});
+    expect("[[3.6, 0.9, 0], [-0.8, 1], [3.6, -0.9]]", {"\"outline\"", "3 numbers"});
+    expect("[[3.6, [0.9]], [-0.8, 1], [3.6, -0.9]]", {"\"outline\"", "a list"});
+    expect("[3.6, 0.9]", {"\"outline\"", "a number", "[x, y]"});
+    expect("[[3.6, null]]", {"\"outline\"", "null"});
+    expect("7", {"\"outline\"", "a number", "[x, y]"});
+    expect("[[3.6, NaN]]", {"line 1"});
+    expect("[[2.5, 0.9], [-0.8, 0.9], [-0.8, -0.9], [2.5, -0.9]]", {"\"outline\"", "wheelbase", "rear axle"});
+    expect("[[3.6, 0.9], [0.5, 0.9], [0.5, -0.9], [3.6, -0.9]]", {"\"outline\"", "rear axle"});
+    expect("[[3427, 885], [-657, 885], [-657, -885], [3427, -885]]", {"\"outline\"", "millimetres"});
+    expect("[[3.6, 0.9], [-0.8, 0.9], [-0.8, -0.9], [3.6, -0.9]], \"corner_radius\": 0.3",
+           {"corner_radius", "outline"});
+    expect("[[3.6, 0.9], [-0.8, 0.9], [-0.8, -0.9], [3.6, -0.9]], \"width\": 1.7", {"\"width\"", "agree", "1.8"});
+    expect_error("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": 1.5})", {"\"corner_radius\""});
+    expect_error("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": {"front": 0.3}})",
+                 {"\"corner_radius\"", "rear"});
+    expect_error("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": {"left": 0.3}})",
+                 {"\"left\"", "front and rear"});
+    expect_error("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": "round"})", {"\"corner_radius\"", "a string"});
+}
+
+TEST(CarFile, SlipsAreToldForWhatTheyAre) {
+    const auto expect = [](const std::string& keys, const std::vector<std::string>& named) {
+        expect_error("{" + keys + "}", named);
+    };
+    const std::string mm = R"("width": 1771, "front": 3427, "rear": 657, "wheelbase": 2588, "max_steer": 0.6)";
+    expect(mm, {"\"width\" is 1771 m", "looks like millimetres", "1.771 m"});
+    const std::string inches = R"("width": 69.7, "front": 134.9, "rear": 25.9, "wheelbase": 101.9, "max_steer": 0.6)";
+    expect(inches, {"\"width\" is 69.7 m", "looks like inches", "1.7704 m"});
+    expect(R"("width": 177.1, "front": 342.7, "rear": 65.7, "wheelbase": 258.8, "max_steer": 0.6)",
+           {"\"width\" is 177.1 m", "looks like centimetres", "1.771 m"});
+    expect(R"("width": 1.8, "front": 1.0, "rear": 0.8, "wheelbase": 2.6, "max_steer": 0.6)",
+           {"\"front\"", "front is measured from the rear axle: wheelbase + front overhang"});
+    expect(R"("width": 1.8, "length": 0.7, "rear": 0.8, "wheelbase": 2.6, "max_steer": 0.6)", {"\"length\""});
+    expect(lengths + R"(, "max_steer": 33)", {"\"max_steer\" is 33 rad", "33 degrees are 0.575959 rad"});
+    expect(lengths + R"(, "max_steer_deg": 0.6)", {"\"max_steer_deg\" is 0.6 degrees", "0.6 rad are 34.3775 degrees"});
+    expect(lengths + R"(, "max_steer_deg": 2)", {"\"max_steer_deg\" is 2 degrees", "circle of 74.454 m radius"});
+    expect(lengths + R"(, "curb_to_curb": 10900)", {"\"curb_to_curb\" is 10900 m", "looks like millimetres", "10.9 m"});
+    expect(lengths + R"(, "max_steer": 0.6, "length": 4.5)", {"\"length\"", "agree", "4.4"});
+}
+
 TEST(CarFile, EveryCarOfTheCatalogueReadsBackTheSame) {
     for (const Car& car : catalogue()) {
         const std::string text = write(as_json(car));

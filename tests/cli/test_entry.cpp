@@ -44,6 +44,23 @@ std::vector<std::string> lines(const std::string& text) {
     return all;
 }
 
+TEST(Entry, JsonEchoesWhatIsNotAsUsual) {
+    for (const std::string strategy : {"max-steer", "fewest"}) {
+        const Result result =
+            run(zoe + "--format json --front-setback 0.1 --rear-setback 0.2 --curb low --parked-curb 0.5 " +
+                "--parked-heading 90 --curb-clearance 0.05 --strategy " + strategy);
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        const Json answer = Json::parse(result.out);
+        EXPECT_EQ(answer["slot"], Json::parse(R"({"length": 5.0, "width": 2.0, "side": "right", "corner": [0.0, 0.0],
+                              "heading": 0.0, "front_setback": 0.1, "rear_setback": 0.2, "curb": "low"})"));
+        EXPECT_EQ(answer["driving"], Json::parse(R"({"enter": "backward", "clearance": 0.0, "curb_clearance": 0.05})"));
+        EXPECT_EQ(keys(answer["parked"]), (Keys{"heading", "curb"}));
+        EXPECT_NEAR(answer["parked"]["heading"].get<double>(), 1.5707963267948966, 1e-15);
+    }
+    const Result plain = run(zoe + "--format json --front-setback 0 --curb high");
+    EXPECT_EQ(plain.out, run(zoe + "--format json").out);
+}
+
 TEST(Entry, JsonHasTheDocumentedKeysInOrder) {
     const Result result = run(zoe + "--format json --side left --corner 3,-4 --heading 0.3");
     ASSERT_EQ(result.exit_code, 0) << result.err;

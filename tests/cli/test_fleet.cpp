@@ -43,8 +43,10 @@ TEST(Fleet, TheCatalogueReadsBackAsItIsPrinted) {
 
 TEST(Fleet, AnyCarReadsBackFromAllItsColumns) {
     const Folder folder;
-    for (const char* car : {R"("width": 1e6, "front": 1e-6, "rear": 1e-6, "wheelbase": 1e-6, "max_steer_deg": 89.9)",
-                            R"("width": 1e-6, "front": 1e6, "rear": 1e-6, "wheelbase": 1e6, "max_steer_deg": 0.1)"}) {
+    for (const char* car :
+         {R"("width": 10, "front": 1e-3, "rear": 1e-3, "wheelbase": 1e-3, "max_steer_deg": 80)",
+          R"("width": 1e-3, "front": 50, "rear": 1e-3, "wheelbase": 50, "max_steer_deg": 5)",
+          R"("width": 1.8, "front": 3.6, "rear": 0.8, "wheelbase": 2.6, "max_steer": 0.6, "corner_radius": 0.3)"}) {
         const std::string file = folder.with("car.json", std::string(R"({"name": "a \"b\", ü", )") + car + "}");
         ASSERT_EQ(run("cars --format csv -o " + folder.file("fleet.csv") + " " + file).exit_code, 0);
         const std::vector<Car> cars = read_cars(folder.file("fleet.csv"));
@@ -111,7 +113,9 @@ TEST(Fleet, FieldsThatAreWrongAreToldWithTheirLineAndColumn) {
     expect("\"a,1.8,3.6,0.8,2.6,36", {"line 3, column 1 (name)", "not closed"});
     expect("\"a\"b,1.8,3.6,0.8,2.6,36", {"line 3, column 1 (name)", "\"b"});
     expect("a\"b,1.8,3.6,0.8,2.6,36", {"line 3, column 1 (name)", "holds a quote"});
-    expect(std::string(10'001, ','), {"line 3", "longer than 10 kB"});
+    expect(std::string(20'001, ','), {"line 3", "longer than 20 kB"});
+    expect("a,1771,3427,657,2588,36", {"line 3, column 2 (width)", "1771 looks like millimetres", "1.771 m"});
+    expect("a,1.8,2.5,0.8,2.6,36", {"line 3, column 3 (front)", "wheelbase + front overhang"});
 }
 
 TEST(Fleet, ColumnsThatRepeatOthersMustAgree) {
@@ -121,6 +125,27 @@ TEST(Fleet, ColumnsThatRepeatOthersMustAgree) {
     expect_error(all + "a,1.8,3.6,0.8,2.6,36,4,\n", {"line 2, column 7 (turning_radius)", "\"4\"", "max_steer_deg"});
     expect_error(all + "a,1.8,3.6,0.8,2.6,36,x,\n", {"line 2, column 7 (turning_radius)", "no number"});
     EXPECT_EQ(cars_from_csv(all + "a,1.8,3.6,0.8,2.6,45,2.6,4.4\n", "").size(), 1U);
+}
+
+TEST(Fleet, DataSheetsAndOutlinesDescribeCars) {
+    const std::vector<Car> cars = cars_from_csv(
+        "name,wheelbase,length,width,front_overhang,rear_overhang,corner_radius,outline,wall_to_wall\n"
+        "sheet,2.6,4.4,1.8,1,,,,11.2\n"
+        "round,2.6,,1.8,1,0.8,0.3,,11.2\n"
+        "wedge,2.6,,,,,,3.6 0.5; -0.8 0.9; -0.8 -0.9; 3.6 -0.5,11.2\n",
+        "fleet.csv");
+    ASSERT_EQ(cars.size(), 3U);
+    EXPECT_DOUBLE_EQ(cars[0].front(), 3.6);
+    EXPECT_NEAR(cars[0].rear(), 0.8, 1e-15);
+    EXPECT_EQ(cars[1].outline(), Outline::rounded(3.6, 0.8, 0.9, 0.3, 0.3));
+    EXPECT_EQ(cars[2].outline().corners().size(), 4U);
+    for (const Car& car : cars) EXPECT_NEAR(car.wall_to_wall(), 11.2, 1e-12) << car.name();
+    const std::vector<Car> back = cars_from_csv(as_csv(cars), "again");
+    for (std::size_t i = 0; i < cars.size(); ++i) EXPECT_EQ(back[i], cars[i]);
+    const std::string head = "name,wheelbase,max_steer_deg,outline\n";
+    expect_error(head + "a,2.6,36,3.6 0.9; -0.8 0.9\n", {"line 2, column 4 (outline)"});
+    expect_error(head + "a,2.6,36,3.6 0.9; -0.8; 1 1\n", {"line 2, column 4 (outline)", "is no point"});
+    expect_error(head + "a,2.6,36,3.6 0.9; -0.8 x; 1 1\n", {"line 2, column 4 (outline)", "\"x\" is no number"});
 }
 
 TEST(Fleet, FilesThatCannotBeReadAreTold) {

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "all_maneuvers/lattice.hpp"
+#include "all_maneuvers/right_side.hpp"
 #include "contact/entering.hpp"
-#include "oracle/random_cases.hpp"
+#include "oracle/driving.hpp"
+#include "oracle/random_outlines.hpp"
 #include "sample.hpp"
 #include "snug/snug.hpp"
 
@@ -31,48 +33,52 @@ struct Place {
     snug::Car car;
     snug::Slot slot;
     Problem problem;
+    oracle::Problem<double> judged;
 
     explicit Place(const Case& from)
         : asked(from),
-          car(from.car),
-          slot({.length = from.slot.length, .width = from.slot.width}),
-          problem(entering_problem(car, slot, snug::Enter::backward, from.driving.clearance)) {}
+          car(from.made_car()),
+          slot(from.made_slot()),
+          problem(entering_problem(car, slot, from.driving, from.parked)),
+          judged(oracle::make_problem<double>(from)) {}
 };
 
+/// Half of them rectangles in the paper's slots, the others any outline between any neighbours.
 std::vector<Place> places(int count) {
     std::vector<Place> found;
     for (std::uint64_t i = 0; static_cast<int>(found.size()) < count; ++i) {
-        Case asked = oracle::random_case(11, i);
+        Case asked = found.size() % 2 == 0 ? oracle::random_case(11, i) : oracle::random_outline_case(11, i);
         if (asked.kind != "tight" && asked.kind != "thin" && asked.kind != "roomy") continue;
         asked.driving.enter = snug::Enter::backward;
+        const snug::SlotDimensions chosen = asked.slot;
+        asked.slot = {.length = chosen.length,
+                      .width = chosen.width,
+                      .front_setback = chosen.front_setback,
+                      .rear_setback = chosen.rear_setback,
+                      .curb = chosen.curb};
         found.emplace_back(asked);
     }
     return found;
 }
 
-std::vector<snug::Point> grown_frame(const Place& place, const Pose& pose, double by) {
-    snug::CarDimensions grown = place.asked.car;
-    grown.front += by;
-    grown.rear += by;
-    grown.width += 2.0 * by;
-    const auto corners = frame(snug::Car(grown), pose);
-    return {corners.begin(), corners.end()};
-}
-
 /// Somewhere parked, most often as high as can be.
 std::optional<Pose> parked(Random& random, const Place& place) {
-    Pose pose{0.0, 0.0, random.between(-0.3, 0.3) * (random.chance(0.5) ? 1.0 : 0.1)};
+    const double tilt = std::min(0.3, place.asked.parked.heading);
+    Pose pose{0.0, 0.0, random.between(-tilt, tilt) * (random.chance(0.5) ? 1.0 : 0.1)};
     double top = -1e9, low = 1e9, left = 1e9, right = -1e9;
-    for (const snug::Point& p : grown_frame(place, pose, 0.0)) top = std::max(top, p.y);
-    for (const snug::Point& p : grown_frame(place, pose, place.asked.driving.clearance)) {
+    for (const snug::Point& p : placed(place.car.outline(), pose)) {
+        top = std::max(top, p.y);
         low = std::min(low, p.y);
         left = std::min(left, p.x);
         right = std::max(right, p.x);
     }
-    pose.y = -top - (random.chance(0.2) ? random.between(0.0, 0.1) : 0.0);
+    pose.y = std::min(-top, -place.slot.width() + place.asked.parked.curb - low);
+    if (random.chance(0.2)) pose.y -= random.between(0.0, 0.1);
     const double from = -place.slot.length() - left, to = -right;
-    if (from > to || pose.y + low < -place.slot.width()) return std::nullopt;
-    pose.x = from + (to - from) * std::clamp(random.between(-0.2, 1.2), 0.0, 1.0);
+    if (from > to) return std::nullopt;
+    pose.x = std::clamp(from + (to - from) * random.between(-0.2, 1.2), from, to);
+    const oracle::Place<double> there{pose.x, pose.y, pose.heading};
+    if (oracle::depth(place.judged, there) > 0.0) return std::nullopt;
     return pose;
 }
 
@@ -82,12 +88,13 @@ TEST(LowerBound, NoRealMotionIsHigherThanItAllows) {
     Random random(3);
     for (const Place& place : places(snug::test::sample(6, 40))) {
         SCOPED_TRACE(oracle::command_line(place.asked));
+        const RightSide side(place.problem.body);
         const double spacing = std::min(random.between(1e-3, 8e-3) * place.car.length(), place.problem.radius / 64.0);
         const Lattice lattice(place.problem, snug::Enter::backward, Bound::lower, spacing, {}, nullptr, no_watch);
         for (const int first : {0, 1}) {
             std::vector<Heights> levels;
             std::vector<bool> out;
-            Heights heights(lattice);
+            Heights heights(lattice, no_watch);
             heights.start_parked();
             for (int k = 0; k <= most; ++k) {
                 out.push_back(heights.sweep((k + first) % 2 == 0 ? Direction::forward : Direction::backward, no_watch));
@@ -108,24 +115,24 @@ TEST(LowerBound, NoRealMotionIsHigherThanItAllows) {
                         const double steering = best                 ? (piece == 0 ? limit : -limit)
                                                 : random.chance(0.7) ? (random.chance(0.5) ? limit : -limit)
                                                                      : random.between(-1.0, 1.0) * limit;
-                        const auto met = first_contact(place.car, place.slot, pose, direction, steering,
-                                                       place.asked.driving.clearance);
-                        double length = std::min(met.distance, 2.0);
+                        const oracle::Path<double> path{{pose.x, pose.y, pose.heading},
+                                                        place.car.wheelbase() / std::tan(steering),
+                                                        direction == Direction::forward ? 1 : -1};
+                        double length = std::min(oracle::first_contact(place.judged, path, 2.0), 2.0);
                         if (random.chance(best && piece == 0 ? 1.0 : 0.4)) length *= random.unit();
                         const int steps = std::max(2, static_cast<int>(length / spacing));
                         for (int i = 0; i <= steps && !gone; ++i) {
                             const Pose at = drive(place.car, pose, direction, steering, length * i / steps);
                             const double c = std::cos(at.heading), s = std::sin(at.heading);
-                            const double side = place.problem.touching.left;
-                            gone = std::abs(at.heading) > 1.2 ||
-                                   at.x + place.problem.touching.front * c + side * s > 1e-6 ||
-                                   at.x - place.problem.touching.rear * c + side * s < -place.slot.length() - 1e-6;
+                            const auto x_of = [&](const snug::Point& p) { return at.x + p.x * c - p.y * s; };
+                            gone = std::abs(at.heading) > 1.2 || x_of(side.front) > 1e-6 ||
+                                   x_of(side.rear) < -place.slot.length() - 1e-6;
                             if (gone) break;
                             const double across = place.problem.radius * s;
                             const int a = static_cast<int>(std::floor((at.x - across) / spacing + 0.5));
                             const int b = static_cast<int>(std::floor((at.x + across) / spacing + 0.5));
                             ASSERT_LE(at.y + place.problem.radius * c,
-                                      levels[static_cast<std::size_t>(k)].at(a + b, b - a) + 1e-12)
+                                      levels[static_cast<std::size_t>(k)].at(a + b, b - a) + 1e-11)
                                 << "after " << k << " changes at " << at.x << ' ' << at.y << ' ' << at.heading;
                         }
                         pose = drive(place.car, pose, direction, steering, length);
@@ -136,17 +143,21 @@ TEST(LowerBound, NoRealMotionIsHigherThanItAllows) {
     }
 }
 
-/// Lowest free height, by clipping the frame to the blocks.
+/// Lowest free height, by clipping the car to what is beyond each wall.
 double lowest_free(const Place& place, double x, double heading) {
-    const std::vector<snug::Point> corners = grown_frame(place, {x, 0.0, heading}, place.asked.driving.clearance);
+    const snug::SlotDimensions& slot = place.asked.slot;
+    const Pose pose{x, 0.0, heading};
     double needed = -1e9;
+    for (const snug::Point& p : placed(place.problem.at_curb, pose)) needed = std::max(needed, -slot.width - p.y);
+    const std::vector<snug::Point> corners = placed(place.problem.body, pose);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const snug::Point p = corners[i], q = corners[(i + 1) % corners.size()];
-        needed = std::max(needed, -place.slot.width() - p.y);
-        if (p.x > 0.0 || p.x < -place.slot.length()) needed = std::max(needed, -p.y);
-        for (const double wall : {0.0, -place.slot.length()}) {
+        if (p.x > 0.0) needed = std::max(needed, -slot.front_setback - p.y);
+        if (p.x < -slot.length) needed = std::max(needed, -slot.rear_setback - p.y);
+        for (const auto& [wall, setback] :
+             {std::pair{0.0, slot.front_setback}, std::pair{-slot.length, slot.rear_setback}}) {
             if ((p.x < wall) == (q.x < wall)) continue;
-            needed = std::max(needed, -(p.y + (q.y - p.y) * (wall - p.x) / (q.x - p.x)));
+            needed = std::max(needed, -setback - (p.y + (q.y - p.y) * (wall - p.x) / (q.x - p.x)));
         }
     }
     return needed;
@@ -158,7 +169,7 @@ TEST(UpperBound, APlainLoopGivesTheSameHeights) {
         const double spacing = std::min(1e-2 * place.car.length(), place.problem.radius / 64.0);
         const double radius = place.problem.radius;
         const Lattice lattice(place.problem, snug::Enter::backward, Bound::upper, spacing, {}, nullptr, no_watch);
-        Heights heights(lattice);
+        Heights heights(lattice, no_watch);
         heights.start_parked();
         std::map<std::pair<int, int>, double> plain;  // y + r cos(heading) by row and column
         const int first_row = lattice.rows().first;

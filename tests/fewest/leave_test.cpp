@@ -39,11 +39,10 @@ TEST(Leave, FromTheGoalOfAnOptimalManeuverItTakesNoMoreChanges) {
         EXPECT_EQ(maneuver.direction_changes(), *out.direction_changes);
         EXPECT_NEAR(maneuver.entry().x, best.maneuver->goal().x, 1e-8 * asked.car_length());
         EXPECT_NEAR(maneuver.entry().y, best.maneuver->goal().y, 1e-8 * asked.car_length());
-        const auto problem = oracle::make_problem<double>(asked.car, asked.slot.length, asked.slot.width,
-                                                          asked.driving.clearance, asked.driving.enter);
+        const auto problem = oracle::make_problem<double>(asked);
         for (const snug::Move& move : maneuver.moves) {
             const auto path = oracle::path_of(asked.slot, asked.car, move);
-            EXPECT_LE(oracle::deepest(problem.grown, problem.gap, path, move.length), 1e-8 * asked.car_length());
+            EXPECT_TRUE(oracle::is_free(problem, path, move.length, 1e-8 * asked.car_length()));
         }
     }
 }

@@ -32,9 +32,7 @@ struct MinSlotCase {
     }
     template <class Real>
     Problem<Real> problem(double size) const {
-        const Case sized = in_slot_of(size);
-        return make_problem<Real>(sized.car, sized.slot.length, sized.slot.width, sized.driving.clearance,
-                                  sized.driving.enter);
+        return make_problem<Real>(in_slot_of(size));
     }
     std::string line(double size) const {
         std::ostringstream text;
@@ -67,12 +65,9 @@ inline MinSlotCase random_min_slot_case(std::uint64_t seed, std::uint64_t index,
 
 /// Does the heading park in a slot of this size, beyond what rounding could do?
 inline bool parks(const MinSlotCase& asked, double size, double heading) {
-    const Run<long double> exact =
-        run(asked.problem<long double>(size), static_cast<long double>(heading), asked.max_changes, true);
-    if (!exact.parked()) return false;
-    for (const Leg<long double>& leg : exact.legs)
-        if (std::abs(leg.drive.least_top) < 1e-12L) return false;
-    return exact.graze >= 1e-12L;
+    const Decided exact =
+        decide(asked.problem<long double>(size), static_cast<long double>(heading), asked.max_changes);
+    return exact.certain && exact.count >= 0;
 }
 
 /// A heading that parks, searched for at `step` over all of them, then a hundred and ten thousand times finer where the
@@ -85,9 +80,9 @@ inline std::optional<double> parking_heading(const MinSlotCase& asked, double si
     Run<double> result;
     std::optional<double> found;
     const auto look = [&](double heading) {
-        run(problem, heading, asked.max_changes, result);
+        run(problem, heading, asked.max_changes, result, Look::at_depths_too);
         if (result.parked() && !found && parks(asked, size, heading)) found = heading;
-        return Sample{heading, result.least_top};
+        return Sample{heading, result.least()};
     };
     std::vector<Sample> lowest;
     const auto scan = [&](double from, double to, double by) {

@@ -6,7 +6,6 @@
 
 #include <atomic>
 #include <cstdio>
-#include <cstdlib>
 #include <mutex>
 #include <thread>
 
@@ -21,11 +20,6 @@ namespace {
 
 constexpr double tenth_of_a_millimetre = 1e-4;
 constexpr double resolution = 1e-7;  // what the solver promises [m]
-
-std::uint64_t number(const char* variable, std::uint64_t otherwise) {
-    const char* value = std::getenv(variable);
-    return value == nullptr ? otherwise : std::strtoull(value, nullptr, 10);
-}
 
 std::optional<snug::MinSlot> smallest(const MinSlotCase& asked) {
     snug::MinSlotOptions options;
@@ -45,8 +39,8 @@ double size_of(const MinSlotCase& asked, const snug::MinSlot& slot) {
 /// Runs `attack`, which answers with what is wrong, on random cases on all cores.
 template <class Attack>
 void attack_all(int usual, int full, Cars cars, std::uint64_t stream, const Attack& attack) {
-    const std::uint64_t seed = number("SNUG_SEED", 1) + stream, first = number("SNUG_FIRST", 0);
-    const std::uint64_t cases = number("SNUG_CASES", std::uint64_t(snug::test::sample(usual, full)));
+    const std::uint64_t seed = snug::test::number("SNUG_SEED", 1) + stream, first = snug::test::number("SNUG_FIRST", 0);
+    const std::uint64_t cases = snug::test::number("SNUG_CASES", std::uint64_t(snug::test::sample(usual, full)));
     std::atomic<std::uint64_t> next{0};
     std::mutex mutex;
     const auto work = [&] {
@@ -82,8 +76,10 @@ std::string attack_from_above(const MinSlotCase& asked, double size) {
 
 /// The heading reported parks in the very slot reported, to the oracle's rounding.
 std::string attack_in_place(const MinSlotCase& asked, double size, double heading) {
-    const auto driven = run(asked.problem<long double>(size), static_cast<long double>(heading), asked.max_changes);
-    return driven.least_top <= 1e-12L ? "" : "the reported heading does not park, " + asked.line(size);
+    auto problem = asked.problem<long double>(size);
+    problem.car = problem.car.grown(-1e-12L);
+    const auto driven = run(problem, static_cast<long double>(heading), asked.max_changes);
+    return driven.parked() ? "" : "the reported heading does not park, " + asked.line(size);
 }
 
 /// In no smaller slot does sampling find a heading that parks: just below densely, farther below sparsely.

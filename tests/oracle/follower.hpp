@@ -1,4 +1,4 @@
-// Follows a maneuver pose by pose and says everything that is wrong with it, with formulas of its own.
+// Follows a maneuver from end to end and says everything that is wrong with it, with formulas of its own.
 #pragma once
 
 #include <sstream>
@@ -26,65 +26,53 @@ inline Path<double> path_of(const snug::SlotDimensions& slot, const snug::CarDim
     return {into_slot(slot, move.start), radius, move.direction == snug::Direction::forward ? 1 : -1};
 }
 
-/// Distance between the named part of the frame and the named obstacle, both as the finite segments or points they are.
-inline double gap_between(const Body<double>& body, const Place<double>& place, const Gap<double>& gap,
-                          snug::Contact contact) {
-    const std::array<Vec<double>, 4> at = corners_at(body, place);
-    const auto part = static_cast<std::size_t>(contact.part);
-    if (part < 4) {  // front-left, rear-left, rear-right, front-right corner
-        const Vec<double> p = at[part];
-        switch (contact.obstacle) {
-            case snug::Obstacle::front_side:
-                return p.x >= 0 ? std::abs(std::min(p.x, -p.y)) : std::hypot(p.x, std::max(p.y, 0.0));
-            case snug::Obstacle::rear_side: {
-                const double beyond = -gap.length - p.x;
-                return beyond >= 0 ? std::abs(std::min(beyond, -p.y)) : std::hypot(beyond, std::max(p.y, 0.0));
-            }
-            case snug::Obstacle::curb: return std::abs(p.y + gap.width);
-            case snug::Obstacle::front_corner: return std::hypot(p.x, p.y);
-            case snug::Obstacle::rear_corner: return std::hypot(p.x + gap.length, p.y);
-        }
-    }
-    // Front, left, rear, right edge.
-    const std::size_t from[] = {3, 0, 1, 2}, to[] = {0, 1, 2, 3};
-    const Vec<double> a = at[from[part - 4]], b = at[to[part - 4]];
-    const auto from_edge = [&](double x, double y) {
-        const double length2 = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
-        const double t = std::clamp(((x - a.x) * (b.x - a.x) + (y - a.y) * (b.y - a.y)) / length2, 0.0, 1.0);
-        return std::hypot(a.x + t * (b.x - a.x) - x, a.y + t * (b.y - a.y) - y);
-    };
-    if (contact.obstacle == snug::Obstacle::front_corner) return from_edge(0, 0);
-    if (contact.obstacle == snug::Obstacle::rear_corner) return from_edge(-gap.length, 0);
-    // A whole edge against a side: they lie on each other.
-    snug::Contact end = contact;
-    end.part = static_cast<snug::CarPart>(from[part - 4]);
-    const double first = gap_between(body, place, gap, end);
-    end.part = static_cast<snug::CarPart>(to[part - 4]);
-    return std::max(first, gap_between(body, place, gap, end));
+/// Distance of a point from the segment between two others.
+inline double from_segment(Vec<double> p, Vec<double> a, Vec<double> b) {
+    const Vec<double> along = b - a;
+    const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
+    return length(p - (a + t * along));
 }
 
-/// The deepest overlap along a path: sampled, and every local maximum narrowed down.
-inline double deepest(const Body<double>& body, const Gap<double>& gap, const Path<double>& path, double length,
-                      double spacing = 2e-3) {
-    const auto at = [&](double distance) { return depth(body, path.at(distance), gap); };
-    const int steps = std::max(2, int(std::ceil(length / spacing)));
-    double worst = std::max(at(0), at(length));
-    double before = at(0), here = at(length / steps);
-    for (int i = 1; i < steps; ++i) {
-        const double after = at(length * (i + 1) / steps);
-        if (here >= before && here >= after && here > -spacing) {
-            double a = length * (i - 1) / steps, b = length * (i + 1) / steps;
-            for (int k = 0; k < 60; ++k) {
-                const double left = a + (b - a) / 3, right = b - (b - a) / 3;
-                (at(left) < at(right) ? a : b) = at(left) < at(right) ? left : right;
-            }
-            worst = std::max(worst, at((a + b) / 2));
-        }
-        worst = std::max(worst, here);
-        before = here;
-        here = after;
+/// Distance of a corner of the car from an obstacle's edge. What lands on a neighbour from the road touches its side.
+inline double from_obstacle(Vec<double> p, const Problem<double>& problem, snug::Obstacle obstacle) {
+    const Vec<double> front = problem.front_corner(), rear = problem.rear_corner();
+    const auto from_side = [](double beyond, double below) {
+        return beyond >= 0 ? std::abs(std::min(beyond, below)) : std::hypot(beyond, std::min(below, 0.0));
+    };
+    switch (obstacle) {
+        case snug::Obstacle::front_side: return from_side(p.x - front.x, front.y - p.y);
+        case snug::Obstacle::rear_side: return from_side(rear.x - p.x, rear.y - p.y);
+        case snug::Obstacle::curb: return std::abs(p.y + problem.width);
+        case snug::Obstacle::front_corner: return length(p - front);
+        default: return length(p - rear);
     }
-    return worst;
+}
+
+/// Distance between the named part of a rectangle, or of any other outline its nearest part, and the named obstacle.
+inline double gap_between(const Problem<double>& problem, const Place<double>& place, snug::Contact contact,
+                          bool rectangle) {
+    const Polygon<double>& touching = contact.obstacle == snug::Obstacle::curb ? problem.at_curb : problem.body;
+    const std::vector<Vec<double>> body = at(touching, place);
+    const auto from_corner = [&](std::size_t i) {
+        return from_obstacle(body[i % body.size()], problem, contact.obstacle);
+    };
+    const bool at_corner =
+        contact.obstacle == snug::Obstacle::front_corner || contact.obstacle == snug::Obstacle::rear_corner;
+    const Vec<double> corner =
+        contact.obstacle == snug::Obstacle::front_corner ? problem.front_corner() : problem.rear_corner();
+    const auto from_edge = [&](std::size_t i) {
+        // A whole edge against a side: they lie on each other.
+        return at_corner ? from_segment(corner, body[i], body[(i + 1) % body.size()])
+                         : std::max(from_corner(i), from_corner(i + 1));
+    };
+    if (rectangle) {
+        // Corners front-left, rear-left, rear-right, front-right; then edges front, left, rear, right.
+        const auto part = static_cast<std::size_t>(contact.part);
+        return part < 4 ? from_corner(part) : from_edge((part + 3) % 4);
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < body.size(); ++i) least = std::min({least, from_corner(i), from_edge(i)});
+    return least;
 }
 
 /// Everything wrong with a parking maneuver, a sentence each; `changes` is how often it should change direction.
@@ -100,8 +88,7 @@ inline std::vector<std::string> faults(const Case& asked, const snug::Maneuver& 
         fault("the maneuver has no moves");
         return found;
     }
-    const auto problem = make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.driving.clearance,
-                                              asked.driving.enter);
+    const auto problem = make_problem<double>(asked);
     const double near = 1e-9;
     const bool backward = asked.driving.enter == snug::Enter::backward;
     const double mirror = asked.slot.side == snug::Side::left ? -1.0 : 1.0;
@@ -110,9 +97,8 @@ inline std::vector<std::string> faults(const Case& asked, const snug::Maneuver& 
     const Place<double> entry = into_slot(asked.slot, first.start);
     const double heading = backward ? entry.heading : -entry.heading;
     if (!(heading >= -near && heading <= std::numbers::pi / 2 + near)) fault("entry heading ", heading);
-    const std::array<Vec<double>, 4> corners = corners_at(problem.grown, entry);
-    const Vec<double> touching = backward ? corners[3] : corners[2];
-    const double off = std::hypot(touching.x + (backward ? 0.0 : asked.slot.length), touching.y);
+    const double off = length(Standing<double>(entry).at(touching_corner(problem)) -
+                              (backward ? problem.front_corner() : problem.rear_corner()));
     if (off > near) fault("the entry position is ", off, " m off the slot's corner");
     if ((first.direction == snug::Direction::backward) != backward) fault("the first move goes the wrong way");
     if (std::abs(first.steering_angle * mirror - asked.car.max_steer) > 1e-12)
@@ -138,8 +124,8 @@ inline std::vector<std::string> faults(const Case& asked, const snug::Maneuver& 
         const double miss = std::hypot(end.x - stated.x, end.y - stated.y);
         if (miss > near || std::abs(end.heading - stated.heading) > near)
             fault("move ", i, " ends ", miss, " m and ", end.heading - stated.heading, " rad from where it says");
-        const double overlap = deepest(problem.grown, problem.gap, path, move.length);
-        if (overlap > near) fault("move ", i, " overlaps an obstacle by ", overlap, " m");
+        const double sinks = first_contact(problem, path, move.length, near);
+        if (std::isfinite(sinks)) fault("move ", i, " sinks into an obstacle after ", sinks, " m");
         if (move.contact) {
             snug::Contact contact = *move.contact;
             // In a mirrored slot left and right parts swap; the slot frame sees a right-hand slot.
@@ -147,7 +133,7 @@ inline std::vector<std::string> faults(const Case& asked, const snug::Maneuver& 
                 constexpr std::array<int, 8> swapped = {3, 2, 1, 0, 4, 7, 6, 5};
                 contact.part = static_cast<snug::CarPart>(swapped[static_cast<std::size_t>(contact.part)]);
             }
-            const double apart = gap_between(problem.grown, stated, problem.gap, contact);
+            const double apart = gap_between(problem, stated, contact, asked.outline.empty());
             if (apart > near)
                 fault("move ", i, " says ", snug::to_string(contact.part), " meets ", snug::to_string(contact.obstacle),
                       " but they are ", apart, " m apart");
@@ -155,7 +141,7 @@ inline std::vector<std::string> faults(const Case& asked, const snug::Maneuver& 
         const int samples = std::max(2, int(std::ceil(move.length / 2e-3)));
         for (int k = 0; k <= samples; ++k) {
             const Place<double> place = path.at(move.length * k / samples);
-            for (const Vec<double>& p : corners_at(problem.car, place)) {
+            for (const Vec<double>& p : at(problem.car, place)) {
                 road.x_min = std::min(road.x_min, p.x), road.x_max = std::max(road.x_max, p.x);
                 road.y_min = std::min(road.y_min, p.y), road.y_max = std::max(road.y_max, p.y);
                 const double c = std::cos(asked.slot.heading), s = std::sin(asked.slot.heading), y = mirror * p.y;
@@ -169,8 +155,8 @@ inline std::vector<std::string> faults(const Case& asked, const snug::Maneuver& 
         fault("the maneuver changes direction ", counted, " times, says ", maneuver.direction_changes(), " and should ",
               changes);
     if (std::abs(driven - maneuver.length()) > near) fault("its length is ", driven, " but says ", maneuver.length());
-    const double out = outside(problem.car, into_slot(asked.slot, maneuver.moves.back().end), problem.gap);
-    if (out > near) fault("the goal sticks out of the slot by ", out, " m");
+    const double out = short_of_parked(problem, into_slot(asked.slot, maneuver.moves.back().end));
+    if (out > near) fault("the goal is short of parked by ", out, " m or rad");
 
     const auto compare = [&](const snug::Box& stated, const snug::Box& seen, const char* name) {
         // Samples 2 mm apart miss an extreme by less than a micrometre, always on the inside.

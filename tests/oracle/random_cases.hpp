@@ -1,15 +1,18 @@
-// Seeded random cars and slots, the same everywhere: what the solver is judged on. Fixed before the solver existed.
+// Seeded random cars, outlines and slots, the same everywhere: what the solver is judged on. Nothing is tuned to answers.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "simulation.hpp"
+#include "snug/snug.hpp"
+#include "strategy.hpp"
 
 namespace oracle {
 
@@ -26,16 +29,80 @@ private:
     std::mt19937_64 bits_;
 };
 
+/// A question: a car, a slot, and how to drive.
 struct Case {
     std::string kind;      // how the slot was chosen
     std::string car_name;  // of the paper's table 1; empty for a made-up car
     snug::CarDimensions car;
+    std::vector<snug::Point> outline;  // empty: the rectangle of these dimensions; else they are how far it reaches
     snug::SlotDimensions slot;
     snug::Driving driving;
+    snug::Parked parked;
     int more_changes = 0;  // Problem 2 is asked with this many changes more than the fewest
 
     double car_length() const { return car.front + car.rear; }
+    snug::Car made_car() const {
+        if (outline.empty()) return snug::Car(car, car_name);
+        return snug::Car(snug::Outline(outline), car.wheelbase, car.max_steer, car_name);
+    }
+    snug::Slot made_slot() const { return snug::Slot(slot); }
+    /// All lengths, in place.
+    std::vector<double*> lengths() {
+        std::vector<double*> all = {&car.width,         &car.front,  &car.rear,           &car.wheelbase,
+                                    &slot.length,       &slot.width, &slot.front_setback, &slot.rear_setback,
+                                    &driving.clearance, &parked.curb};
+        if (driving.curb_clearance) all.push_back(&*driving.curb_clearance);
+        for (snug::Point& p : outline) all.push_back(&p.x), all.push_back(&p.y);
+        return all;
+    }
 };
+
+/// Counter-clockwise, as the case has it.
+template <class Real>
+Polygon<Real> polygon_of(const Case& asked) {
+    if (asked.outline.empty()) return rectangle(Real(asked.car.front), Real(asked.car.rear), Real(asked.car.width) / 2);
+    std::vector<Vec<Real>> corners;
+    for (const snug::Point& p : asked.outline) corners.push_back({Real(p.x), Real(p.y)});
+    Real area = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) area += cross(corners[i], corners[(i + 1) % corners.size()]);
+    if (area < 0) std::reverse(corners.begin(), corners.end());
+    return Polygon<Real>(corners);
+}
+
+/// Where the wheels stand: level with the axles and as far out as the body is there; as far as the whole body where the
+/// front axle lies ahead of it.
+template <class Real>
+Polygon<Real> wheels_of(const Case& asked) {
+    const Polygon<Real> body = polygon_of<Real>(asked);
+    const Real ahead = asked.car.wheelbase;
+    Real left = body.corners[0].y, right = left, front = body.corners[0].x;
+    for (const Vec<Real>& p : body.corners)
+        left = std::max(left, p.y), right = std::min(right, p.y), front = std::max(front, p.x);
+    const auto [rear_right, rear_left] = across(body, Real(0));
+    auto [front_right, front_left] = across(body, ahead);
+    if (ahead > front) front_right = right, front_left = left;
+    return Polygon<Real>({{ahead, front_left}, {0, rear_left}, {0, rear_right}, {ahead, front_right}});
+}
+
+/// The case in the slot frame.
+template <class Real>
+Problem<Real> make_problem(const Case& asked) {
+    const bool left = asked.slot.side == snug::Side::left, low = asked.slot.curb == snug::Curb::low;
+    const auto seen = [&](const Polygon<Real>& polygon) { return left ? polygon.mirrored() : polygon; };
+    Problem<Real> problem;
+    problem.car = seen(polygon_of<Real>(asked));
+    problem.body = problem.car.grown(Real(asked.driving.clearance));
+    problem.at_curb = (low ? seen(wheels_of<Real>(asked)) : problem.car).grown(Real(asked.driving.at_curb()));
+    problem.length = asked.slot.length;
+    problem.width = asked.slot.width;
+    problem.front_setback = asked.slot.front_setback;
+    problem.rear_setback = asked.slot.rear_setback;
+    problem.radius = Real(asked.car.wheelbase) / std::tan(Real(asked.car.max_steer));
+    problem.enter = asked.driving.enter;
+    problem.parked_heading = asked.parked.heading;
+    problem.parked_curb = asked.parked.curb;
+    return problem;
+}
 
 /// Table 1 of the paper.
 inline std::vector<std::pair<std::string, snug::CarDimensions>> table_of_cars() {
@@ -71,62 +138,53 @@ inline void choose_car(Random& random, Case& chosen) {
     }
 }
 
-/// The least height of the highest corner over all headings and the first `max_changes` + 1 moves: not above zero
-/// when the car parks. Sampled coarsely, then three times finer around the three best headings.
-inline double least_top_over_headings(const Problem<double>& problem, int max_changes) {
+/// Does any heading park? Sampled coarsely, then three times finer around the two that come closest.
+inline bool some_heading_parks(const Problem<double>& problem, int max_changes) {
     struct Sample {
         double heading, height;
     };
     Run<double> result;
-    const auto height = [&](double heading) {
-        run(problem, heading, max_changes, result);
-        return result.parked() ? std::min(result.least_top, 0.0) : result.least_top;
-    };
     std::vector<Sample> best;
-    const auto keep = [&](double heading) {
-        if (heading < 0 || heading > std::numbers::pi / 2) return;
-        best.push_back({heading, height(heading)});
+    bool parks = false;
+    const auto look = [&](double heading) {
+        if (parks || heading < 0 || heading > std::numbers::pi / 2) return;
+        run(problem, heading, max_changes, result, Look::at_depths_too);
+        parks = result.parked();
+        best.push_back({heading, result.least()});
     };
-    double step = 0.005;
-    for (double heading = 0; heading < 1.2; heading += step) keep(heading);
+    double step = 0.01;
+    for (double heading = 0; heading < 1.2; heading += step) look(heading);
     for (int level = 0; level < 3; ++level) {
         std::sort(best.begin(), best.end(), [](const Sample& a, const Sample& b) { return a.height < b.height; });
-        best.resize(std::min<std::size_t>(best.size(), 3));
+        if (best.size() > 2) best.erase(best.begin() + 2, best.end());
         step /= 8;
         for (const Sample s : std::vector<Sample>(best))
-            for (int i = -8; i <= 8; ++i) keep(s.heading + i * step);
+            for (int i = -8; i <= 8; ++i) look(s.heading + i * step);
     }
-    double least = std::numeric_limits<double>::infinity();
-    for (const Sample& s : best) least = std::min(least, s.height);
-    return least;
+    return parks;
 }
 
 /// Moves the length to where a smaller number of changes has only just become enough.
 inline void make_thin(Random& random, Case& chosen) {
     const int changes = random.below(13);
     const auto parks = [&](double length) {
-        return least_top_over_headings(make_problem<double>(chosen.car, length, chosen.slot.width,
-                                                            chosen.driving.clearance, chosen.driving.enter),
-                                       changes) <= 0;
+        Case sized = chosen;
+        sized.slot.length = length;
+        return some_heading_parks(make_problem<double>(sized), changes);
     };
     double fails = chosen.car_length() + 2 * chosen.driving.clearance, works = fails + 3.0;
     if (!parks(works)) return;
-    for (int i = 0; i < 26; ++i) {
+    for (int i = 0; i < 24; ++i) {
         const double middle = (fails + works) / 2;
         (parks(middle) ? works : fails) = middle;
     }
     chosen.slot.length = works + std::pow(10.0, random.between(-7.5, -3.0)) * (random.chance(0.85) ? 1 : -1);
 }
 
-/// Case number `index` of a seed.
-inline Case random_case(std::uint64_t seed, std::uint64_t index) {
-    Random random(seed * 0x9E3779B97F4A7C15ULL + index * 0xBF58476D1CE4E5B9ULL + 1);
-    Case chosen;
-    choose_car(random, chosen);
-    if (random.chance(0.15)) chosen.driving.enter = snug::Enter::forward;
-    if (random.chance(0.15)) chosen.driving.clearance = random.between(0.005, 0.1);
+/// Length and width, for a car and what it keeps clear.
+inline void choose_slot(Random& random, Case& chosen) {
     const double needed_length = chosen.car_length() + 2 * chosen.driving.clearance;
-    const double needed_width = chosen.car.width + chosen.driving.clearance;
+    const double needed_width = chosen.car.width + chosen.driving.at_curb();
     double extra_length = random.between(0.3, 0.8), extra_width = random.between(0.05, 0.4);
     const double kind = random.unit();
     if (kind < 0.45) {
@@ -156,6 +214,10 @@ inline Case random_case(std::uint64_t seed, std::uint64_t index) {
     }
     chosen.slot.length = needed_length + extra_length;
     chosen.slot.width = needed_width + extra_width;
+}
+
+/// Where in the world, on which side, and how many changes more Problem 2 allows.
+inline void choose_surroundings(Random& random, Case& chosen) {
     if (chosen.kind == "thin") make_thin(random, chosen);
     if (random.chance(0.5)) {
         chosen.slot.side = random.chance(0.5) ? snug::Side::left : snug::Side::right;
@@ -163,6 +225,21 @@ inline Case random_case(std::uint64_t seed, std::uint64_t index) {
         chosen.slot.heading = random.between(-std::numbers::pi, std::numbers::pi);
     }
     chosen.more_changes = random.below(9);
+}
+
+inline Random random_of(std::uint64_t seed, std::uint64_t index) {
+    return Random(seed * 0x9E3779B97F4A7C15ULL + index * 0xBF58476D1CE4E5B9ULL + 1);
+}
+
+/// Case number `index` of a seed: a rectangle, and a slot as in the paper.
+inline Case random_case(std::uint64_t seed, std::uint64_t index) {
+    Random random = random_of(seed, index);
+    Case chosen;
+    choose_car(random, chosen);
+    if (random.chance(0.15)) chosen.driving.enter = snug::Enter::forward;
+    if (random.chance(0.15)) chosen.driving.clearance = random.between(0.005, 0.1);
+    choose_slot(random, chosen);
+    choose_surroundings(random, chosen);
     return chosen;
 }
 
@@ -171,20 +248,38 @@ inline std::string command_line(const Case& asked) {
     std::ostringstream line;
     line.precision(17);
     line << "snug entry --car ";
-    if (!asked.car_name.empty()) {
+    if (!asked.car_name.empty() && asked.outline.empty()) {
         line << asked.car_name;
     } else {
-        line << "<(echo '{\"width\": " << asked.car.width << ", \"front\": " << asked.car.front
-             << ", \"rear\": " << asked.car.rear << ", \"wheelbase\": " << asked.car.wheelbase
-             << ", \"max_steer\": " << asked.car.max_steer << "}')";
+        line << "<(echo '{";
+        if (asked.outline.empty()) {
+            line << "\"width\": " << asked.car.width << ", \"front\": " << asked.car.front
+                 << ", \"rear\": " << asked.car.rear;
+        } else {
+            line << "\"outline\": [";
+            for (const snug::Point& p : asked.outline)
+                line << (&p == asked.outline.data() ? "[" : ", [") << p.x << ", " << p.y << ']';
+            line << ']';
+        }
+        line << ", \"wheelbase\": " << asked.car.wheelbase << ", \"max_steer\": " << asked.car.max_steer << "}')";
     }
+    const auto option = [&](const char* name, double value, double usual) {
+        if (value != usual) line << name << value;
+    };
+    constexpr double any = std::numeric_limits<double>::infinity(), degree = std::numbers::pi / 180;
     line << " --length " << asked.slot.length << " --width " << asked.slot.width;
+    option(" --front-setback ", asked.slot.front_setback, 0);
+    option(" --rear-setback ", asked.slot.rear_setback, 0);
+    if (asked.slot.curb == snug::Curb::low) line << " --curb low";
     if (asked.slot.side == snug::Side::left) line << " --side left";
     if (asked.slot.corner.x != 0 || asked.slot.corner.y != 0)
         line << " --corner=" << asked.slot.corner.x << ',' << asked.slot.corner.y;
-    if (asked.slot.heading != 0) line << " --heading=" << asked.slot.heading;
-    if (asked.driving.clearance != 0) line << " --clearance " << asked.driving.clearance;
+    option(" --heading=", asked.slot.heading, 0);
+    option(" --clearance ", asked.driving.clearance, 0);
+    if (asked.driving.curb_clearance) line << " --curb-clearance " << *asked.driving.curb_clearance;
     if (asked.driving.enter == snug::Enter::forward) line << " --enter forward";
+    option(" --parked-heading ", asked.parked.heading / degree, any);
+    option(" --parked-curb ", asked.parked.curb, any);
     return line.str();
 }
 

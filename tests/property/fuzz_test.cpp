@@ -1,7 +1,6 @@
-// Wild but valid questions: no crash, no hang, and answers that make sense.
+// Wild but valid questions: no crash, no end of work, and answers that make sense.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdio>
 
 #include "oracle/follower.hpp"
@@ -51,10 +50,10 @@ Case wild_case(std::uint64_t i) {
     return asked;
 }
 
-TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
+TEST(Fuzz, WildQuestionsAreAnsweredAndMakeSense) {
     int parkable = 0, given_up = 0, refused = 0;
-    double slowest = 0;
-    std::string slowest_line;
+    constexpr int patience = 10;  // each of a million moves
+    int most_reports = 0;
     const int questions = snug::test::sample(400, 100000);
     for (int i = 0; i < questions; ++i) {
         const Case asked = wild_case(std::uint64_t(i));
@@ -66,11 +65,12 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
         std::string line = command_line(asked);
         if (options.max_changes) line += " --max-changes " + std::to_string(*options.max_changes);
         if (options.min_range > 0) line += " --min-range " + std::to_string(options.min_range);
-        const auto start = std::chrono::steady_clock::now();
-        const auto elapsed = [&] {
-            return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        // The work is counted in reports of progress, and nothing may go on after it has been given up.
+        int reports = 0, after = 0;
+        options.progress = [&](double) {
+            after += reports > patience;
+            return ++reports <= patience;
         };
-        options.progress = [&](double) { return elapsed() < 0.5; };
         snug::Answer answer;
         try {
             answer = snug::entry(snug::Car(asked.car), snug::Slot(asked.slot), options);
@@ -78,9 +78,8 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
             ++refused;
             continue;
         }
-        if (elapsed() > slowest) slowest = elapsed(), slowest_line = line;
-        // Well after the question was given up.
-        EXPECT_LT(elapsed(), 5.0) << "question " << i << ": " << line;
+        EXPECT_LE(after, 1) << "question " << i << " goes on though it was given up: " << line;
+        most_reports = std::max(most_reports, reports);
         if (answer.cancelled) {
             ++given_up;
             continue;
@@ -115,8 +114,8 @@ TEST(Fuzz, WildQuestionsAreAnsweredInTimeAndMakeSense) {
         run_options.max_changes = options.max_changes.value_or(200);
         (void)snug::max_steer(snug::Car(asked.car), snug::Slot(asked.slot), heading, run_options);
     }
-    std::printf("%d questions, %d parkable, %d given up after half a second, %d refused; slowest %.3f s: %s\n",
-                questions, parkable, given_up, refused, slowest, slowest_line.c_str());
+    std::printf("%d questions, %d parkable, %d given up, %d refused; at most %d reports of progress\n", questions,
+                parkable, given_up, refused, most_reports);
     EXPECT_GT(parkable, questions / 20);
     EXPECT_LT(refused, questions / 2);
 }

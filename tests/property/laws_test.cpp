@@ -229,18 +229,15 @@ TEST(Laws, OneRunOfTheStrategyIsWhatTheOracleDrives) {
         options.driving = asked.driving;
         options.max_changes = random.below(25);
         const snug::MaxSteerRun got = snug::max_steer(snug::Car(asked.car), snug::Slot(asked.slot), heading, options);
-        auto exact = run(make_problem<long double>(asked.car, asked.slot.length, asked.slot.width,
-                                                   asked.driving.clearance, asked.driving.enter),
-                         static_cast<long double>(heading), options.max_changes, true);
+        const auto problem = make_problem<long double>(asked);
+        auto exact = run(problem, static_cast<long double>(heading), options.max_changes);
         const std::string where =
             command_line(asked) + " heading " + digits(heading) + " max changes " + std::to_string(options.max_changes);
         // A last twitch of less than 1e-12 m before being stuck is rounding.
         while (exact.outcome == snug::Outcome::stuck && !exact.legs.empty() && exact.legs.back().length < 1e-12L)
             exact.legs.pop_back();
         const bool twitching = exact.outcome == snug::Outcome::too_many_changes && exact.legs.back().length < 1e-12L;
-        bool close = exact.graze < 1e-11L || twitching;
-        for (const auto& leg : exact.legs) close = close || std::abs(leg.drive.least_top) < 1e-11L;
-        if (close) {
+        if (twitching || !decide(problem, static_cast<long double>(heading), options.max_changes).certain) {
             ++brink;
             continue;
         }

@@ -1,6 +1,7 @@
 """Values, their errors, and whether what help() and the type checker say is so."""
 import copy
 import inspect
+import json
 import math
 import pickle
 
@@ -12,7 +13,8 @@ SLOT = snug.Slot(length=4.5, width=2.0)
 ANSWER = snug.entry(CAR, SLOT)
 MANEUVER = ANSWER.maneuver
 MOVE = MANEUVER.moves[0]
-VALUES = [CAR, SLOT, MANEUVER, MOVE, MOVE.contact, MOVE.start, snug.Point(1, 2), snug.MaxSteer(), snug.Stepping(step=0.01),
+WEDGE = snug.Car(wheelbase=2.6, max_steer=0.6, outline=[(3.6, 0.5), (-0.8, 0.9), (-0.8, -0.9), (3.6, -0.5)], name="wedge")
+VALUES = [CAR, WEDGE, SLOT, snug.Slot(5, 2, front_setback=0.1, rear_setback=0.2, curb="low"), MANEUVER, MOVE, MOVE.contact, MOVE.start, snug.Point(1, 2), snug.MaxSteer(), snug.Stepping(step=0.01),
           snug.ReversedTrials(goal=(1, 2, 0)), snug.ParallelTrials()]
 
 
@@ -36,6 +38,23 @@ def test_differing_values_are_not_equal():
     assert snug.Slot(4.5, 2.0) != snug.Slot(4.5, 2.0, side="left")
     assert CAR != snug.find_car("mid-size")
     assert snug.Stepping() != snug.Stepping(stop="inside")
+
+
+def test_cars_as_files_describe_them(tmp_path):
+    sheet = {"width": 1.8, "length": 4.4, "front_overhang": 1.0, "wheelbase": 2.6, "max_steer": 0.6, "corner_radius": 0.3}
+    car = snug.Car.from_dict(sheet)
+    assert car.front == 3.6 and len(car.outline) == 24 and car.wall_to_wall < 2 * math.hypot(car.turning_radius + 0.9, 3.6)
+    (tmp_path / "car.json").write_text(json.dumps(sheet))
+    assert snug.read_car(tmp_path / "car.json") == car
+    assert WEDGE.width == 1.8 and CAR.outline is None
+    assert snug.Car(wheelbase=2.6, max_steer=0.6, outline=[(3.6, -0.9), (3.6, 0.9), (-0.8, 0.9), (-0.8, -0.9)]) == snug.Car(
+        width=1.8, front=3.6, rear=0.8, wheelbase=2.6, max_steer=0.6)
+    with pytest.raises(snug.Error, match="looks like millimetres"):
+        snug.Car.from_dict(sheet | {"width": 1800})
+    with pytest.raises(TypeError, match="width is missing"):
+        snug.Car(wheelbase=2.6, max_steer=0.6)
+    with pytest.raises(snug.Error, match="leave it out"):
+        snug.Car(wheelbase=2.6, max_steer=0.6, width=1.7, outline=WEDGE.outline)
 
 
 def test_the_first_answer():

@@ -58,6 +58,7 @@ from ._snug import (
     min_widths as min_widths,
     parallel_trials as parallel_trials,
     parked_pose as parked_pose,
+    read_car as read_car,
     reversed_trials as reversed_trials,
     reversed_trials_by_goal as reversed_trials_by_goal,
     shortfall as shortfall,

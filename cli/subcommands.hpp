@@ -14,7 +14,7 @@ struct Command {
     Action (*parse)(const Arguments&);
 };
 
-struct Menu {
+struct Subcommands {
     const char* name;     ///< what is typed before the commands
     const char* purpose;  ///< a line
     std::vector<Command> commands;
@@ -22,9 +22,9 @@ struct Menu {
 };
 
 /// The command of that name; null when there is none.
-const Command* find(const Menu& menu, const std::string& name);
+const Command* find(const Subcommands& subcommands, const std::string& name);
 
-/// Understands the arguments after the menu's name. Throws Error when something is wrong with them.
-Action choose(const Menu& menu, const Arguments& arguments);
+/// Understands the arguments after the subcommands's name. Throws Error when something is wrong with them.
+Action choose(const Subcommands& subcommands, const Arguments& arguments);
 
 }  // namespace snug::cli

@@ -8,7 +8,7 @@
 
 namespace snug {
 
-std::int64_t seal(const AtlasOptions& options, std::string_view made_by, const Car& car, double width, double length,
-                  const CellAnswer& answer);
+std::int64_t checksum_of_cell(const AtlasOptions& options, std::string_view made_by, const Car& car, double width,
+                              double length, const CellAnswer& answer);
 
 }  // namespace snug

@@ -1,4 +1,4 @@
-#include "seal.hpp"
+#include "checksum.hpp"
 
 #include <bit>
 #include <span>
@@ -32,13 +32,15 @@ private:
 
 }  // namespace
 
-std::int64_t seal(const AtlasOptions& options, std::string_view made_by, const Car& car, double width, double length,
-                  const CellAnswer& answer) {
+std::int64_t checksum_of_cell(const AtlasOptions& options, std::string_view made_by, const Car& car, double width,
+                              double length, const CellAnswer& answer) {
     Words words;
     words.put_all(made_by, static_cast<int>(options.strategy), options.max_changes.value_or(-1), options.min_range,
                   options.resolution, options.driving.clearance, static_cast<int>(options.driving.enter));
     words.put_all(std::string_view(car.name()), car.width(), car.front(), car.rear(), car.wheelbase(), car.max_steer(),
                   width, length);
+    if (!car.is_rectangle())
+        for (const Point& corner : car.outline().corners()) words.put_all(corner.x, corner.y);
     words.put_all(answer.direction_changes.value_or(-1), answer.lower_bound, answer.proved ? 1 : 0);
     words.put_all(answer.entry.x, answer.entry.y, answer.entry.heading);
     words.put(static_cast<int>(answer.ranges.size()));

@@ -1,18 +1,52 @@
-#include "judge.hpp"
+// Judges one answer to Problems 1 and 2 with the oracle: every heading sampled, every range entered, every maneuver
+// followed. Shares nothing with the solver but the types it answers with.
+#pragma once
 
-#include <chrono>
+#include <algorithm>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <vector>
 
-#include "oracle/follower.hpp"
+#include "follower.hpp"
 
 namespace oracle {
-namespace {
+
+/// What was looked at and what was wrong.
+struct Verdict {
+    std::vector<std::string> failures;
+    long samples = 0;          // strategies driven in double, to screen
+    long decided = 0;          // and in long double, where the screening disagreed
+    long edges = 0;            // edges of reported ranges
+    long undecided_edges = 0;  // of them those within 1e-12 of another outcome and off by that
+    long undecided = 0;        // other headings so
+    long dips = 0;             // places where the depth was minimised
+    bool parkable = false;
+    double thinnest = 10;    // the thinnest reported subrange
+    bool only_thin = false;  // no best subrange is wider than the paper's sampling of 1e-4 rad
+
+    Verdict& operator+=(const Verdict& other) {
+        failures.insert(failures.end(), other.failures.begin(), other.failures.end());
+        samples += other.samples;
+        decided += other.decided;
+        edges += other.edges;
+        undecided_edges += other.undecided_edges;
+        undecided += other.undecided;
+        dips += other.dips;
+        return *this;
+    }
+};
+
+struct JudgeOptions {
+    double heading_step = 1e-5;   // [rad]
+    int unparkable_changes = 40;  // changes tried at every sample of a slot the solver calls too small; 200 at some
+};
+
+namespace judging {
 
 using Fine = long double;
 
 constexpr double edge_error = 1e-11;  // headings this close to a reported edge may go either way [rad]
-constexpr Fine undecidable = 1e-12L;  // depths this close to zero are beyond the oracle's own rounding [m]
 
 template <class... Words>
 std::string sentence(const Words&... words) {
@@ -20,13 +54,6 @@ std::string sentence(const Words&... words) {
     out.precision(17);
     (out << ... << words);
     return out.str();
-}
-
-/// Within rounding of another outcome: some move only just parks or only just fails to, or only just (not) grazes.
-bool on_the_brink(const Run<Fine>& run) {
-    for (const Leg<Fine>& leg : run.legs)
-        if (std::abs(leg.drive.least_top) < undecidable) return true;
-    return run.graze < undecidable;
 }
 
 /// One sampled heading: its count (-1 when it does not park in time), and for each move what was met up to it and how
@@ -48,21 +75,20 @@ public:
         : asked_(asked),
           options_(options),
           random_(seed),
-          fast_(make_problem<double>(asked.car, asked.slot.length, asked.slot.width, asked.driving.clearance,
-                                     asked.driving.enter)),
-          fine_(make_problem<Fine>(asked.car, asked.slot.length, asked.slot.width, asked.driving.clearance,
-                                   asked.driving.enter)) {}
+          fast_(make_problem<double>(asked)),
+          fine_(make_problem<Fine>(asked)) {}
 
     Verdict operator()() {
-        const snug::Car car(asked_.car, asked_.car_name);
-        const snug::Slot slot(asked_.slot);
+        const snug::Car car = asked_.made_car();
+        const snug::Slot slot = asked_.made_slot();
         snug::EntryOptions problem1;
         problem1.driving = asked_.driving;
-        const snug::Answer best = answer_to(car, slot, problem1);
+        problem1.parked = asked_.parked;
+        const snug::Answer best = snug::entry(car, slot, problem1);
         snug::EntryOptions problem2 = problem1;
         problem2.max_changes =
             best.direction_changes ? *best.direction_changes + asked_.more_changes : options_.unparkable_changes;
-        const snug::Answer all = answer_to(car, slot, problem2);
+        const snug::Answer all = snug::entry(car, slot, problem2);
 
         verdict_.parkable = best.parkable();
         if (best.parkable() != best.direction_changes.has_value() || best.parkable() != best.maneuver.has_value() ||
@@ -71,6 +97,7 @@ public:
         if (best.parkable() != all.parkable() || best.direction_changes != all.direction_changes)
             fail("Problems 1 and 2 differ in the fewest changes");
         ranges_ = all.ranges;
+        undecided_ = all.undecided;
         limit_ = *problem2.max_changes;
         check_form(best.ranges, best, best.direction_changes.value_or(0));
         check_form(all.ranges, all, limit_);
@@ -88,14 +115,6 @@ private:
     template <class... Words>
     void fail(const Words&... words) {
         if (verdict_.failures.size() < 5) verdict_.failures.push_back(sentence(words...));
-    }
-
-    snug::Answer answer_to(const snug::Car& car, const snug::Slot& slot, const snug::EntryOptions& options) {
-        const auto start = std::chrono::steady_clock::now();
-        snug::Answer answer = snug::entry(car, slot, options);
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-        verdict_.seconds = std::max(verdict_.seconds, took.count());
-        return answer;
     }
 
     // Rising, each within [0, pi/2], as wide as can be, subranges numbered by touching.
@@ -145,14 +164,17 @@ private:
         return heading <= range.max ? range.direction_changes : -1;
     }
 
-    bool near_edge(double heading) const {
+    /// Where the answer claims nothing.
+    bool unclaimed(double heading) const {
+        for (const snug::Headings& r : undecided_)
+            if (heading >= r.min - edge_error && heading <= r.max + edge_error) return true;
         for (const snug::HeadingRange& r : ranges_)
             if (std::abs(heading - r.min) <= edge_error || std::abs(heading - r.max) <= edge_error) return true;
         return false;
     }
 
     Sample look(double heading, int limit) {
-        run(fast_, heading, limit, fast_run_);
+        run(fast_, heading, limit, fast_run_, Look::at_depths_too);
         ++verdict_.samples;
         Sample sample;
         sample.heading = heading;
@@ -160,8 +182,8 @@ private:
         sample.steps.reserve(fast_run_.legs.size());
         std::uint64_t itinerary = 0;
         for (const Leg<double>& leg : fast_run_.legs) {
-            sample.steps.push_back({itinerary, leg.drive.least_top});
-            itinerary = (itinerary ^ std::uint64_t(leg.drive.kind + 2)) * 0x9E3779B97F4A7C15ULL;
+            sample.steps.push_back({itinerary, leg.least});
+            itinerary = (itinerary ^ std::uint64_t(leg.met + 2)) * 0x9E3779B97F4A7C15ULL;
         }
         sample.itinerary = fast_run_.itinerary * 8 + std::uint64_t(fast_run_.outcome);
         return sample;
@@ -170,17 +192,16 @@ private:
     /// Compares the sampled count with what the solver reports there, in long double where they differ.
     void check(const Sample& sample, const char* found_by) {
         const int expected = reported(sample.heading);
-        if (sample.count == expected || near_edge(sample.heading)) return;
+        if (sample.count == expected || unclaimed(sample.heading)) return;
         ++verdict_.decided;
-        const Run<Fine> exact = run(fine_, Fine(sample.heading), limit_, true);
-        const int count = exact.parked() ? exact.changes : -1;
-        if (count == expected) return;
-        if (on_the_brink(exact)) {
+        const Decided exact = decide(fine_, Fine(sample.heading), limit_);
+        if (exact.count == expected) return;
+        if (!exact.certain) {
             ++verdict_.undecided;
             return;
         }
-        fail("heading ", sample.heading, " (", found_by, ") needs ", count, " changes but is reported as ", expected,
-             ", -1 being none up to ", limit_);
+        fail("heading ", sample.heading, " (", found_by, ") needs ", exact.count, " changes but is reported as ",
+             expected, ", -1 being none up to ", limit_);
     }
 
     Sample look_and_check(double heading, const char* found_by) {
@@ -256,16 +277,22 @@ private:
     /// Every reported range holds at its edges, in its middle and anywhere else.
     void enter(const snug::HeadingRange& range) {
         const auto count_at = [&](double heading, bool edge) {
-            const Run<Fine> exact = run(fine_, Fine(heading), range.direction_changes, true);
+            const Decided exact = decide(fine_, Fine(heading), range.direction_changes);
             ++verdict_.decided;
             verdict_.edges += edge;
-            if (exact.parked() && exact.changes == range.direction_changes) return;
-            if (on_the_brink(exact)) {
+            if (exact.count == range.direction_changes) return;
+            // Edges are promised to 1e-12; both sides round.
+            const double inward = heading + (heading == range.min ? 2e-12 : -2e-12);
+            const auto parks_inward = [&] {
+                const Run<Fine> other = run(fine_, Fine(inward), range.direction_changes);
+                return range.max - range.min < 4e-12 || (other.parked() && other.changes == range.direction_changes);
+            };
+            if (!exact.certain || (edge && parks_inward())) {
                 ++(edge ? verdict_.undecided_edges : verdict_.undecided);
                 return;
             }
             fail(edge ? "the edge " : "inside a range, ", heading, " of [", range.min, ", ", range.max, "] needs ",
-                 exact.parked() ? exact.changes : -1, " changes, reported ", range.direction_changes);
+                 exact.count, " changes, reported ", range.direction_changes);
         };
         count_at(range.min, true);
         count_at(range.max, true);
@@ -289,11 +316,14 @@ private:
                                   std::abs(heading - (r.min + r.max) / 2) <= 1e-12);
         if (!in_the_middle) fail("the maneuver enters at ", heading, ", not in the middle of a widest best range");
 
-        const Run<Fine> exact = run(fine_, Fine(heading), *answer.direction_changes, true);
+        const Run<Fine> exact = run(fine_, Fine(heading), *answer.direction_changes);
         if (!exact.parked()) return;  // the range itself is judged elsewhere
         const Leg<Fine>& last = exact.legs.back();
-        const Fine from = Fine(sign) * last.path.at(last.drive.inside_from).heading;
-        const Fine to = Fine(sign) * last.path.at(last.drive.inside_to).heading;
+        const Fine most = 2 * std::numbers::pi_v<Fine> * fine_.radius;
+        const Path<Fine> inside{last.path.at(last.length), last.path.radius, last.path.direction};
+        const Fine from = Fine(sign) * inside.start.heading;
+        const Fine to =
+            Fine(sign) * inside.at(last_parked(fine_, inside, std::min(last.contact, most) - last.length)).heading;
         const Fine parallel = from <= 0 ? from : std::max(to, Fine(0));
         const double goal = sign * into_slot(asked_.slot, maneuver.moves.back().end).heading;
         if (std::abs(Fine(goal) - parallel) > 1e-7L)
@@ -305,9 +335,9 @@ private:
         for (double heading = 1e-4 * random_.unit(); heading < std::numbers::pi / 2; heading += 2e-4) {
             const Sample sample = look(heading, 200);
             if (sample.count < 0) continue;
-            const Run<Fine> exact = run(fine_, Fine(heading), 200, true);
-            if (exact.parked() && !on_the_brink(exact))
-                fail("called too small, but heading ", heading, " parks with ", exact.changes, " changes");
+            const Decided exact = decide(fine_, Fine(heading), 200);
+            if (exact.certain && exact.count >= 0)
+                fail("called too small, but heading ", heading, " parks with ", exact.count, " changes");
         }
     }
 
@@ -327,7 +357,7 @@ private:
             }
         }
         if (close) return;
-        const snug::Answer answer = answer_to(car, slot, options);
+        const snug::Answer answer = snug::entry(car, slot, options);
         if (answer.direction_changes != expected)
             fail("with --min-range ", options.min_range, " --max-changes ", limit_, " the fewest is ",
                  answer.direction_changes.value_or(-1), ", expected ", expected.value_or(-1));
@@ -340,15 +370,17 @@ private:
     Problem<Fine> fine_;
     Run<double> fast_run_;
     std::vector<snug::HeadingRange> ranges_;  // Problem 2
+    std::vector<snug::Headings> undecided_;   // what the answer claims nothing of
     int limit_ = 0;
     long refined_ = 0;
     Verdict verdict_;
 };
 
-}  // namespace
+}  // namespace judging
 
-Verdict judge(const Case& asked, std::uint64_t seed, const JudgeOptions& options) {
-    return Judge(asked, seed, options)();
+/// Asks the solver about the case and judges what it says.
+inline Verdict judge(const Case& asked, std::uint64_t seed, const JudgeOptions& options = {}) {
+    return judging::Judge(asked, seed, options)();
 }
 
 }  // namespace oracle

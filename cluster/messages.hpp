@@ -1,4 +1,5 @@
-// Letters between the processes of a build. Nobody ever waits for the post: sending and looking for a letter return at once.
+// Messages between the processes of a build. Nobody ever waits for one: sending and looking for one return at
+// once.
 #pragma once
 
 #include <chrono>
@@ -8,7 +9,7 @@
 
 namespace snug::cluster {
 
-enum class Subject {
+enum class MessageKind {
     task,    ///< to a worker: what is to be answered
     want,    ///< to the first: send me a batch
     batch,   ///< to a worker: cells to solve; none when nothing is left
@@ -18,30 +19,30 @@ enum class Subject {
     leave,   ///< to a worker: the end, with the exit code
 };
 
-struct Letter {
+struct Message {
     int sender = 0;
-    Subject subject = Subject::leave;
+    MessageKind kind = MessageKind::leave;
     std::string text;
 };
 
 /// This process among those that mpirun started. One at a time, and used by one thread.
-class Mail {
+class Messages {
 public:
-    Mail();
-    /// Says goodbye to the others, which must all do so.
-    ~Mail();
-    Mail(const Mail&) = delete;
-    Mail& operator=(const Mail&) = delete;
+    Messages();
+    /// Ends the exchange with the others, which must all do so.
+    ~Messages();
+    Messages(const Messages&) = delete;
+    Messages& operator=(const Messages&) = delete;
 
     [[nodiscard]] int processes() const;
     [[nodiscard]] int number() const;  ///< of this process; the first has 0
 
     /// Throws Error when the text is 2 GB or longer.
-    void send(int receiver, Subject subject, std::string text = {});
-    /// A letter from anybody, when there is one; letters of one sender come in the order they were sent.
-    std::optional<Letter> receive();
-    /// The next letter, however long it takes.
-    Letter wait();
+    void send(int receiver, MessageKind kind, std::string text = {});
+    /// A message from anybody, when there is one; messages of one sender come in the order they were sent.
+    std::optional<Message> receive();
+    /// The next message, however long it takes.
+    Message wait();
     /// How long one who has nothing else to do sleeps between two looks: a thousandth part of a core.
     static constexpr std::chrono::milliseconds pause{4};
 

@@ -19,10 +19,10 @@ constexpr std::chrono::milliseconds patience{500};
 
 }  // namespace
 
-bool Crew::build(AtlasBuild& build, const AtlasBuildOptions& options) {
+bool Coordinator::build(AtlasBuild& build, const AtlasBuildOptions& options) {
     const std::size_t cars = build.plan().cars.size();
-    tell_all(Subject::task, to_bytes(Task{{build.plan().cars, {}, {}, build.plan().options}, options.threads}));
-    working_ = mail_.processes() - 1;
+    tell_all(MessageKind::task, to_bytes(Task{{build.plan().cars, {}, {}, build.plan().options}, options.threads}));
+    working_ = messages_.processes() - 1;
 
     std::atomic<bool> failed = false;  // here or elsewhere: then all stop
     std::atomic<bool> solving = true;
@@ -30,9 +30,9 @@ bool Crew::build(AtlasBuild& build, const AtlasBuildOptions& options) {
     std::exception_ptr solver_failure;
     std::thread solver([&] {
         try {
-            const CellDesk desk = {[&] { return build.next(); },
-                                   [&](const SolvedBatch& solved) { build.store(solved); }};
-            solve_all(build.plan(), desk, options.threads, go_on);
+            const CellQueue queue = {[&] { return build.next(); },
+                                     [&](const SolvedBatch& solved) { build.store(solved); }};
+            solve_all(build.plan(), queue, options.threads, go_on);
         } catch (...) {
             solver_failure = std::current_exception();
             failed = true;
@@ -41,17 +41,18 @@ bool Crew::build(AtlasBuild& build, const AtlasBuildOptions& options) {
     });
 
     std::exception_ptr failure;
-    const auto attend = [&](const Letter& letter) {
-        switch (letter.subject) {
-            case Subject::want:
-                mail_.send(letter.sender, Subject::batch, to_bytes(go_on() ? build.next() : CellBatch{}));
+    const auto attend = [&](const Message& message) {
+        switch (message.kind) {
+            case MessageKind::want:
+                messages_.send(message.sender, MessageKind::batch, to_bytes(go_on() ? build.next() : CellBatch{}));
                 break;
-            case Subject::solved:
-                if (!failed) build.store(solved_from(letter.text, cars));
+            case MessageKind::solved:
+                if (!failed) build.store(solved_from(message.text, cars));
                 break;
-            case Subject::done:
+            case MessageKind::done:
                 --working_;
-                if (!letter.text.empty()) throw Error("process " + std::to_string(letter.sender) + ": " + letter.text);
+                if (!message.text.empty())
+                    throw Error("process " + std::to_string(message.sender) + ": " + message.text);
                 break;
             default: break;  // goes the other way
         }
@@ -61,13 +62,13 @@ bool Crew::build(AtlasBuild& build, const AtlasBuildOptions& options) {
         try {
             if (!stopped && !go_on()) {
                 stopped = Clock::now();
-                tell_all(Subject::stop);
+                tell_all(MessageKind::stop);
                 if (!failed) build.commit();
             }
-            if (const std::optional<Letter> letter = mail_.receive()) {
-                attend(*letter);
+            if (const std::optional<Message> message = messages_.receive()) {
+                attend(*message);
             } else {
-                std::this_thread::sleep_for(Mail::pause);
+                std::this_thread::sleep_for(Messages::pause);
             }
             if (options.progress) options.progress(build.progress());
         } catch (...) {
@@ -83,13 +84,13 @@ bool Crew::build(AtlasBuild& build, const AtlasBuildOptions& options) {
     return progress.stored == progress.cells;
 }
 
-void Crew::dismiss(int exit_code) {
-    if (working_ > 0) Mail::abort(exit_code);  // one of them is dead, or deaf
-    tell_all(Subject::leave, std::to_string(exit_code));
+void Coordinator::dismiss(int exit_code) {
+    if (working_ > 0) Messages::abort(exit_code);  // one of them is dead, or deaf
+    tell_all(MessageKind::leave, std::to_string(exit_code));
 }
 
-void Crew::tell_all(Subject subject, const std::string& text) {
-    for (int process = 1; process < mail_.processes(); ++process) mail_.send(process, subject, text);
+void Coordinator::tell_all(MessageKind kind, const std::string& text) {
+    for (int process = 1; process < messages_.processes(); ++process) messages_.send(process, kind, text);
 }
 
 }  // namespace snug::cluster

@@ -1,0 +1,82 @@
+// The only file of the command that knows the JSON library.
+#include "cli/json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace snug::cli {
+namespace {
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json fewest_object(const EntryQuestion& question, const Answer& answer) {
+    const EntryOptions& options = question.options;
+    return as_json(question.car, question.slot, options.max_changes, answer, options.driving, options.parked);
+}
+
+}  // namespace
+
+std::string car_json(const Car& car) { return write(as_json(car)); }
+
+std::string cars_json(const std::vector<Car>& cars) {
+    Json list = Json::array();
+    for (const Car& car : cars) list.push_back(as_json(car));
+    return write(list);
+}
+
+std::string entry_json(const EntryQuestion& question, const Answer& answer) {
+    return write(as_json(question.car, question.slot, question.options, answer));
+}
+
+std::string fewest_json(const EntryQuestion& question, const Answer& answer) {
+    return write(fewest_object(question, answer));
+}
+
+std::string leave_json(const EntryQuestion& question, const Answer& answer) {
+    return write(leave_as_json(question.car, question.slot, answer, question.options.driving));
+}
+
+std::string atlas_json(const EntryQuestion& question, AtlasStrategy strategy, const Answer& answer,
+                       const AtlasCell& cell) {
+    Json json = strategy == AtlasStrategy::fewest ? fewest_object(question, answer)
+                                                  : as_json(question.car, question.slot, question.options, answer);
+    json["cell"] = {{"length", cell.length()},
+                    {"width", cell.width()},
+                    {"shorter", question.slot.length() - cell.length()},
+                    {"narrower", question.slot.width() - cell.width()}};
+    return write(json);
+}
+
+std::string waypoints_json(const std::vector<Waypoint>& waypoints) { return write(as_json(waypoints)); }
+
+std::string MinSlotJson::begin() {
+    return list_.begin({{"schema", 1}, {"car", as_json(question_.car)}, {"strategy", to_string(question_.strategy)}},
+                       "rows");
+}
+
+std::string MinSlotJson::row(const MinSlotRow& row) {
+    const bool width = question_.given == Given::width;
+    Json json = {{"max_changes", row.max_changes}, {"width", nullptr}, {"length", nullptr}, {"entry_heading", nullptr}};
+    json[width ? "width" : "length"] = row.given;
+    if (row.slot) {
+        json[width ? "length" : "width"] = width ? row.slot->length : row.slot->width;
+        json["entry_heading"] = row.slot->entry_heading;
+    }
+    return list_.item(json);
+}
+
+std::string MinSlotJson::end() { return list_.end(); }
+
+std::string min_slot_json(const Car& car, const std::vector<FewestLengthRow>& rows) {
+    Json json = {{"schema", 1}, {"car", as_json(car)}, {"strategy", "fewest"}, {"rows", Json::array()}};
+    for (const FewestLengthRow& row : rows)
+        json["rows"].push_back({{"max_changes", row.max_changes},
+                                {"width", row.width},
+                                {"length", or_null(row.found.length)},
+                                {"length_lower", row.found.length_lower}});
+    return write(json);
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,45 @@
+// Answers as JSON text: what the command needs of the JSON library, which takes long to compile, behind plain functions.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/entry.hpp"
+#include "cli/min_slot.hpp"
+#include "snug/atlas.hpp"
+#include "snug/io.hpp"
+#include "snug/leave.hpp"
+#include "snug/sweep.hpp"
+#include "snug/waypoints.hpp"
+
+namespace snug::cli {
+
+std::string car_json(const Car& car);
+std::string cars_json(const std::vector<Car>& cars);
+std::string entry_json(const EntryQuestion& question, const Answer& answer);
+std::string fewest_json(const EntryQuestion& question, const Answer& answer);
+std::string leave_json(const EntryQuestion& question, const Answer& answer);
+/// The answer of an atlas, with the stored cell that it comes from.
+std::string atlas_json(const EntryQuestion& question, AtlasStrategy strategy, const Answer& answer,
+                       const AtlasCell& cell);
+std::string waypoints_json(const std::vector<Waypoint>& waypoints);
+
+/// Minimum slots, part by part, for there may be too many to hold.
+class MinSlotJson {
+public:
+    explicit MinSlotJson(const MinSlotQuestion& question) : question_(question) {}
+
+    std::string begin();
+    std::string row(const MinSlotRow& row);
+    std::string end();
+
+private:
+    const MinSlotQuestion& question_;
+    ListInParts list_;
+};
+
+/// The shortest slots over all maneuvers.
+std::string min_slot_json(const Car& car, const std::vector<FewestLengthRow>& rows);
+
+}  // namespace snug::cli

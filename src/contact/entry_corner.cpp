@@ -1,0 +1,162 @@
+#include "contact/entry_corner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "contact/crossing.hpp"
+#include "model/angles.hpp"
+
+namespace snug::detail {
+
+namespace {
+
+struct Direction {
+    double c, s;
+    [[nodiscard]] double order() const { return s - c; }
+};
+
+Point outward_normal(const Point& from, const Point& to) {
+    const double length = angles::hypot(to.x - from.x, to.y - from.y);
+    return {(to.y - from.y) / length, (from.x - to.x) / length};
+}
+
+/// The outward normals of the edges before and after the entry corner.
+struct Corner {
+    Point before, after;
+};
+Corner corner_at(const Problem& problem, const Point& corner) {
+    const std::vector<Point>& corners = problem.body.corners();
+    const std::size_t count = corners.size();
+    const auto i = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), corner) - corners.begin());
+    return {outward_normal(corners[(i + count - 1) % count], corner),
+            outward_normal(corner, corners[(i + 1) % count])};
+}
+
+/// Of the rear neighbour, seen from the front one's corner.
+Point rear_corner(const Problem& problem) {
+    return {-problem.length, problem.front_setback - problem.rear_setback};
+}
+
+/// How far the first move starts away from the front side; negative: into it. [m]
+double first_move_clears(const Problem& problem, const Point& corner, double c, double s) {
+    return (problem.radius - corner.y) * c - corner.x * s;
+}
+
+/// Takes every heading in a quarter turn at which a c + b s = d.
+template <class Take>
+void roots(double a, double b, double d, Take take) {
+    const double whole = a * a + b * b;
+    const double radius = std::sqrt(whole);
+    const double square = (radius - d) * (radius + d);
+    if (!(square >= 0.0) || whole == 0.0) return;
+    const Root<double> one = root<Plain<double>>({a, b, d, square, 1.0 / whole});
+    if (one.c > 0.0 && one.s > 0.0) take(Direction{one.c, one.s});
+    const Root<double> other = root<Plain<double>>({a, -b, d, square, 1.0 / whole});
+    if (other.c > 0.0 && other.s < 0.0) take(Direction{other.c, -other.s});
+}
+
+}  // namespace
+
+Point entry_corner(const Problem& problem) {
+    Point farthest;
+    double most = -1.0;
+    for (const Point& corner : problem.body.corners()) {
+        const double across = problem.radius - corner.y;
+        const double square = corner.x * corner.x + across * across;
+        if (!(corner.x > 0.0) || square <= most) continue;
+        most = square;
+        farthest = corner;
+    }
+    return farthest;
+}
+
+Pose entry_pose(const Problem& problem, const Point& corner, double heading) {
+    const auto [s, c] = angles::sine_cosine(heading);
+    return {corner.y * s - corner.x * c, -corner.x * s - corner.y * c - problem.front_setback, heading};
+}
+
+double entry_clears(const Problem& problem, const Point& corner, double c, double s) {
+    const auto turned_x = [&](const Point& p) { return p.x * c - p.y * s; };
+    const auto turned_y = [&](const Point& p) { return p.x * s + p.y * c; };
+    const double size = problem.length + problem.body.front() + problem.body.rear() + problem.radius;
+
+    // The front neighbour lies beyond a line through the corner that the body does not cross.
+    const Corner edges = corner_at(problem, corner);
+    double clears = std::min(first_move_clears(problem, corner, c, s), -turned_y(edges.before) * size);
+    if (turned_y(edges.after) <= 0.0) clears = std::min(clears, turned_x(edges.after) * size);
+
+    for (const Point& own : problem.at_curb.corners())
+        clears = std::min(clears, turned_y({own.x - corner.x, own.y - corner.y}) + problem.width - problem.front_setback);
+
+    const Point rear = rear_corner(problem);
+    double left = std::numeric_limits<double>::infinity();
+    double low = left;
+    double apart = -left;
+    const std::vector<Point>& corners = problem.body.corners();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point own = {corners[i].x - corner.x, corners[i].y - corner.y};
+        const double x = turned_x(own);
+        const double y = turned_y(own);
+        left = std::min(left, x);
+        low = std::min(low, y);
+        const Point& next = corners[(i + 1) % corners.size()];
+        const Point way = {next.x - corners[i].x, next.y - corners[i].y};
+        const Point normal = {turned_y(way), -turned_x(way)};  // as long as the edge
+        if (normal.x > 0.0 || normal.y > 0.0) continue;
+        const double length = angles::hypot(way.x, way.y);
+        apart = std::max(apart, (normal.x * (rear.x - x) + normal.y * (rear.y - y)) / length);
+    }
+    return std::min(clears, std::max({apart, left - rear.x, low - rear.y}));
+}
+
+std::vector<Headings> possible_headings(const Problem& problem) {
+    const bool open = problem.front_setback > 0.0 || problem.rear_setback > 0.0;
+    if (!open && problem.body.front() + problem.body.rear() > problem.length) return {};
+    const Point corner = entry_corner(problem);
+    const Point rear = rear_corner(problem);
+    std::vector<Direction> cuts;
+    const auto cut = [&](const Direction& at) { cuts.push_back(at); };
+    const Corner edges = corner_at(problem, corner);
+    roots(edges.before.y, edges.before.x, 0.0, cut);
+    roots(edges.after.x, -edges.after.y, 0.0, cut);
+    roots(problem.radius - corner.y, -corner.x, 0.0, cut);
+    for (const Point& own : problem.at_curb.corners())
+        roots(own.y - corner.y, own.x - corner.x, problem.front_setback - problem.width, cut);
+    const std::vector<Point>& corners = problem.body.corners();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point own = {corners[i].x - corner.x, corners[i].y - corner.y};
+        roots(own.x, -own.y, rear.x, cut);
+        roots(own.y, own.x, rear.y, cut);
+        const Point normal = outward_normal(corners[i], corners[(i + 1) % corners.size()]);
+        roots(rear.x * normal.x + rear.y * normal.y, rear.y * normal.x - rear.x * normal.y,
+              normal.x * own.x + normal.y * own.y, cut);
+    }
+    std::sort(cuts.begin(), cuts.end(), [](const Direction& a, const Direction& b) { return a.order() < b.order(); });
+    cuts.insert(cuts.begin(), {1.0, 0.0});
+    cuts.push_back({0.0, 1.0});
+
+    const auto is_possible = [&](double c, double s) { return entry_clears(problem, corner, c, s) >= -problem.touch; };
+    std::vector<Headings> possible;
+    bool before = is_possible(1.0, 0.0);
+    if (before) possible.push_back({0.0, 0.0});
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        const double c = cuts[i].c + cuts[i + 1].c;
+        const double s = cuts[i].s + cuts[i + 1].s;
+        const double length = std::sqrt(c * c + s * s);
+        const bool here = is_possible(c / length, s / length);
+        if (here) {
+            const double max = angles::atan2(cuts[i + 1].s, cuts[i + 1].c);
+            if (before) {
+                possible.back().max = max;
+            } else {
+                possible.push_back({angles::atan2(cuts[i].s, cuts[i].c), max});
+            }
+        }
+        before = here;
+    }
+    return possible;
+}
+
+}  // namespace snug::detail

@@ -1,0 +1,202 @@
+// First contact within a sector of headings, while the same corners of the car lead: the lowest, the leftmost, the rightmost.
+//
+// A convex car can then meet the world in five ways only:
+//
+//     rightmost corner - front side        lowest corner - curb          leftmost corner - rear side
+//     edge between rightmost and           edge between leftmost and
+//     lowest corner - front corner         lowest corner - rear corner
+//
+// (and, coming from the road, the lowest corner can land on a neighbour). Each is a crossing (crossing.inl).
+//
+// Included like crossing.inl, once for each kind of number; the same operations in the same order, so every kind has the
+// same bits.
+
+/// What the car turns among, seen from the turning centre.
+template <class Real>
+struct Surroundings {
+    Real x, y;          ///< of the turning centre [m]
+    Real length;        ///< of the slot [m]
+    Real above_curb;    ///< of the centre [m]
+    Real above_front;   ///< above the top of the front neighbour [m]
+    Real above_rear;    ///< above the top of the rear neighbour [m]
+    Real touch;         ///< closer than this is touching [m]
+};
+
+/// An edge of the car seen from the turning centre, as far as a fixed point can enter over it: there it moves along the
+/// edge's direction away from the foot of the centre.
+template <class N>
+struct SeenEdge {
+    typename N::Real nx, ny;            ///< outward normal
+    typename N::Real distance;          ///< from the centre, along the normal [m]
+    typename N::Real from, to;          ///< its ends, along the edge from the foot of the centre [m]
+    typename N::Mask slips_back, slips_on;  ///< what meets the one or the other end misses the car
+};
+
+/// How a part of the car and an obstacle stand at the start: closing in, or corner to corner and bound to miss each other.
+template <class N>
+struct AtStart {
+    typename N::Mask touches;
+    typename N::Mask slips_off;
+};
+
+/// First contact while turning clockwise, from the heading (c, s). What touches already and would move in is met at once;
+/// what touches and moves away, or along, is not met.
+template <class N>
+struct First {
+    using Real = typename N::Real;
+    using Mask = typename N::Mask;
+
+    Real start_c, start_s, start_order;
+    Real end_order;  ///< of the sector
+    Real c, s;       ///< of the first contact
+    Real order;      ///< s - c falls with the heading: the first contact has the largest; -2 if there is none
+    Found found;     ///< what it is, where there is one lane only
+
+    SNUG_INLINE First(Real from_c, Real from_s, Real end)
+        : start_c(from_c),
+          start_s(from_s),
+          start_order(from_s - from_c),
+          end_order(end),
+          c(N::set(1.0)),
+          s(N::set(0.0)),
+          order(N::set(-2.0)) {}
+
+    /// `at_start` is asked only of what has its root near the start.
+    template <class Ask>
+    SNUG_INLINE void consider(const Root<Real>& at, Mask exists, const Ask& at_start, Meets meets, int edge) {
+        const Real at_order = at.s - at.c;
+        const Real later = start_order - at_order;
+        const Mask possible = N::both(exists, later > N::set(-near_start));
+        if (N::none(possible)) return;
+        const Mask near = later < N::set(near_start);
+        AtStart<N> found_there{near, near};
+        if (!N::none(near)) found_there = at_start();
+        const Mask touches = N::both(near, found_there.touches);
+        const Mask slips_off = N::both(near, found_there.slips_off);
+        const Mask ahead = N::both(N::least(N::least(at.s, at.c), later) >= N::set(0.0), at_order >= end_order);
+        const Mask met = N::both(possible, N::either(touches, N::both(N::opposite(slips_off), ahead)));
+        if (N::none(met)) return;
+        const Real met_order = N::select(touches, start_order, at_order);
+        const Mask earlier = N::both(met, met_order > order);
+        c = N::select(earlier, at.c, c);
+        s = N::select(earlier, at.s, s);
+        order = N::select(earlier, met_order, order);
+        if constexpr (N::alone) {
+            found.ahead |= bit_of(meets);
+            if (earlier) {
+                found.across = at.across;
+                found.meets = meets;
+                found.edge = edge;
+            }
+        }
+    }
+
+    /// A corner of the car meets the upright side of a neighbour, to the right (sign 1) or to the left (sign -1).
+    template <int Sign>
+    SNUG_INLINE void corner_meets_side(const SeenCorner<Real>& corner, Real along, Real above_top, Real touch, Meets meets) {
+        const Crossing<Real> crossing = corner_on_wall<N, Sign>(corner, along);
+        Mask exists = crossing.square >= N::set(0.0);
+        if (N::none(exists)) return;
+        const Root<Real> at = root<N>(crossing);
+        const Real height = above_top + corner.x * at.s + corner.y * at.c;
+        exists = N::both(exists, height <= touch);
+        if (N::none(exists)) return;
+        const auto at_start = [&]() SNUG_LAMBDA {
+            const Real start_x = corner.x * start_c - corner.y * start_s;
+            const Real start_y = corner.x * start_s + corner.y * start_c;
+            const Mask closes = Sign > 0 ? start_y > N::set(0.0) : start_y < N::set(0.0);
+            const Mask touching = N::both(N::abs(along - start_x) <= touch, closes);
+            const Mask slips =
+                N::both(touching, N::both(above_top + start_y >= N::set(0.0) - touch, start_x <= N::set(0.0)));
+            return AtStart<N>{N::both(touching, N::opposite(slips)), slips};
+        };
+        // Rounding may have lifted a corner that touches above the wall's end.
+        const Mask lifted = height > N::set(0.0);
+        if (!N::none(lifted)) exists = N::both(exists, N::either(N::opposite(lifted), at_start().touches));
+        consider(at, exists, at_start, meets, 0);
+    }
+
+    SNUG_INLINE void corner_meets_curb(const SeenCorner<Real>& corner, Real above, Real touch) {
+        const Crossing<Real> crossing = corner_on_ground<N>(corner, above);
+        const Mask exists = crossing.square >= N::set(0.0);
+        if (N::none(exists)) return;
+        const auto at_start = [&]() SNUG_LAMBDA {
+            const Real start_x = corner.x * start_c - corner.y * start_s;
+            const Real start_y = corner.x * start_s + corner.y * start_c;
+            const Mask touching = N::both(N::abs(start_y + above) <= touch, start_x > N::set(0.0));
+            return AtStart<N>{touching, start_x > start_x};
+        };
+        consider(root<N>(crossing), exists, at_start, Meets::curb, 0);
+    }
+
+    /// The lowest corner comes down upon a neighbour, whose end at the slot lies `end` to the right of the centre.
+    template <int Sign>
+    SNUG_INLINE void corner_meets_top(const SeenCorner<Real>& corner, Real above, Real end, Mask high, Real touch,
+                                      Meets meets) {
+        const Crossing<Real> crossing = corner_on_ground<N>(corner, above);
+        Mask exists = N::both(high, crossing.square >= N::set(0.0));
+        if (N::none(exists)) return;
+        const Root<Real> at = root<N>(crossing);
+        const Real where = corner.x * at.c - corner.y * at.s;
+        const Real beyond_end = Sign > 0 ? where - end : end - where;
+        exists = N::both(exists, beyond_end >= N::set(0.0) - touch);
+        if (N::none(exists)) return;
+        const auto at_start = [&]() SNUG_LAMBDA {
+            const Real start_x = corner.x * start_c - corner.y * start_s;
+            const Real start_y = corner.x * start_s + corner.y * start_c;
+            const Mask touching = N::both(N::abs(start_y + above) <= touch, start_x > N::set(0.0));
+            const Mask moves_onto = Sign > 0 ? start_y > N::set(0.0) : start_y < N::set(0.0);
+            return AtStart<N>{N::both(touching, N::either(beyond_end > touch, moves_onto)), start_x > start_x};
+        };
+        const Mask at_end = beyond_end <= touch;
+        if (!N::none(at_end)) exists = N::both(exists, N::either(N::opposite(at_end), at_start().touches));
+        consider(at, exists, at_start, meets, 0);
+    }
+
+    /// A neighbour's corner (gx, gy), seen from the centre, meets an edge of the car.
+    SNUG_INLINE void edge_meets_corner(const SeenEdge<N>& edge, Real gx, Real gy, Real touch, Meets meets, int index) {
+        const Crossing<Real> crossing = point_on_edge<N>(gx, gy, edge.nx, edge.ny, edge.distance);
+        const Root<Real> at = root<N>(crossing);
+        const Mask within = N::both(at.across <= edge.to + touch, at.across >= edge.from - touch);
+        const Mask exists = N::both(crossing.square >= N::set(0.0), within);
+        if (N::none(exists)) return;
+        const auto at_start = [&]() SNUG_LAMBDA {
+            const Real start_x = gx * start_c + gy * start_s;
+            const Real start_y = gy * start_c - gx * start_s;
+            const Real start_off = start_x * edge.nx + start_y * edge.ny;
+            const Real start_along = start_y * edge.nx - start_x * edge.ny;
+            const Mask touching = N::both(N::abs(start_off - edge.distance) <= touch, start_along > N::set(0.0));
+            const Mask beyond = N::both(start_along >= edge.to - touch, edge.slips_on);
+            const Mask before = N::both(start_along <= edge.from + touch, edge.slips_back);
+            const Mask slips = N::both(touching, N::either(beyond, before));
+            return AtStart<N>{N::both(touching, N::opposite(slips)), slips};
+        };
+        consider(at, exists, at_start, meets, index);
+    }
+
+    /// Everything but the edges. `at_curb` is the lowest corner of what stops at the curb.
+    SNUG_INLINE void corners_meet(const SeenCorner<Real>& lowest, const SeenCorner<Real>& leftmost,
+                                  const SeenCorner<Real>& rightmost, const SeenCorner<Real>& at_curb,
+                                  const Surroundings<Real>& around) {
+        const Real front = N::set(0.0) - around.x;
+        const Real rear = front - around.length;
+        corner_meets_side<1>(rightmost, front, around.above_front, around.touch, Meets::front_side);
+        corner_meets_side<-1>(leftmost, rear, around.above_rear, around.touch, Meets::rear_side);
+        corner_meets_curb(at_curb, around.above_curb, around.touch);
+        const Real low = lowest.x * start_s + lowest.y * start_c;
+        const Mask above_front = around.above_front + low > N::set(0.0) - around.touch;
+        if (N::rarely(above_front))
+            corner_meets_top<1>(lowest, around.above_front, front, above_front, around.touch, Meets::front_top);
+        const Mask above_rear = around.above_rear + low > N::set(0.0) - around.touch;
+        if (N::rarely(above_rear))
+            corner_meets_top<-1>(lowest, around.above_rear, rear, above_rear, around.touch, Meets::rear_top);
+    }
+
+    [[nodiscard]] SNUG_INLINE Mask at_the_start() const { return order == start_order; }
+
+    /// What is met at the start is met right there.
+    SNUG_INLINE void settle() {
+        c = N::select(at_the_start(), start_c, c);
+        s = N::select(at_the_start(), start_s, s);
+    }
+};

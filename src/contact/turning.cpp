@@ -1,0 +1,236 @@
+#include "contact/turning.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace snug::detail {
+
+namespace {
+
+constexpr double quarter_turn = 1.57079632679489661923;
+constexpr double one_border = 2e-14;  ///< headings this close are one border between sectors [rad]
+
+/// A point seen from the car turned clockwise by whole quarter turns.
+Point turned(const Point& point, int quarters) {
+    switch (quarters & 3) {
+        case 0: return point;
+        case 1: return {point.y, -point.x};
+        case 2: return {-point.x, -point.y};
+        default: return {-point.y, point.x};
+    }
+}
+
+struct Border {
+    double c, s;
+};
+
+/// The headings within a quarter turn, from the steepest, at which an edge lies level or upright; the last is the quarter's
+/// end.
+std::vector<Border> borders(const Problem& problem) {
+    std::vector<Border> found;
+    for (const Outline* outline : {&problem.body, &problem.at_curb, &problem.frame}) {
+        const std::vector<Point>& corners = outline->corners();
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Point& from = corners[i];
+            const Point& to = corners[(i + 1) % corners.size()];
+            const double length = angles::hypot(to.x - from.x, to.y - from.y);
+            // Level where the heading is opposite to the edge's direction, and every quarter turn from there.
+            Point border = {(to.x - from.x) / length, (from.y - to.y) / length};
+            while (!(border.x > 0.0 && border.y >= 0.0)) border = turned(border, 1);
+            if (border.y > one_border && border.x > one_border) found.push_back({border.x, border.y});
+        }
+    }
+    std::sort(found.begin(), found.end(), [](const Border& a, const Border& b) { return a.s - a.c > b.s - b.c; });
+    const auto same = [](const Border& a, const Border& b) { return std::abs(a.c * b.s - a.s * b.c) <= one_border; };
+    found.erase(std::unique(found.begin(), found.end(), same), found.end());
+    found.push_back({1.0, 0.0});
+    return found;
+}
+
+/// The corner of an outline that leads in a direction of the turned car's quarter.
+TurningCorner leading(const Outline& outline, int quarter, const Point& centre, const Point& towards) {
+    const std::vector<Point>& corners = outline.corners();
+    const Point own = turned(towards, -quarter);
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        if ((corners[i].x - corners[best].x) * own.x + (corners[i].y - corners[best].y) * own.y > 0.0) best = i;
+    }
+    const Point corner = turned(corners[best], quarter);
+    return {corner.x - centre.x, corner.y - centre.y, static_cast<int>(best)};
+}
+
+/// order() of the heading at which the corner is straight below the centre, if that lies between two borders.
+double below_centre(const TurningCorner& corner, double begin_order, double end_order) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    if (corner.x > 0.0 || corner.y > 0.0) return never;
+    const double order = (corner.y - corner.x) / corner.radius;
+    return order <= begin_order && order >= end_order ? order : never;
+}
+
+/// The edges of the body from one corner on to another that a point turning counter-clockwise about the centre can enter over.
+void add_edges(TurningFrame& frame, const Outline& body, int quarter, const Point& centre, int from, int to,
+               std::uint32_t& begin, std::uint32_t& end) {
+    const std::vector<Point>& corners = body.corners();
+    const int count = static_cast<int>(corners.size());
+    const auto seen = [&](int i) {
+        const Point corner = turned(corners[static_cast<std::size_t>((i + count) % count)], quarter);
+        return Point{corner.x - centre.x, corner.y - centre.y};
+    };
+    const auto direction = [&](int i) {
+        const Point a = seen(i);
+        const Point b = seen(i + 1);
+        const double length = angles::hypot(b.x - a.x, b.y - a.y);
+        return Point{(b.x - a.x) / length, (b.y - a.y) / length};
+    };
+    const auto along = [](const Point& point, const Point& way) { return point.x * way.x + point.y * way.y; };
+    begin = static_cast<std::uint32_t>(frame.edges.size());
+    for (int i = from; i != to; i = (i + 1) % count) {
+        const Point way = direction(i);
+        const Point a = seen(i);
+        const Point b = seen(i + 1);
+        if (!(along(b, way) > 0.0)) continue;
+        const double distance = a.x * way.y - a.y * way.x;
+        frame.edges.push_back({way.y, -way.x, distance, along(a, way), along(b, way), along(a, direction(i - 1)) <= 0.0,
+                               along(b, direction(i + 1)) <= 0.0});
+        frame.edge_indices.push_back(i);
+    }
+    end = static_cast<std::uint32_t>(frame.edges.size());
+}
+
+}  // namespace
+
+QuarterHeading in_quarters(double heading) {
+    const double quarter = std::floor(heading / quarter_turn);
+    const double within = std::max(0.0, heading - quarter * quarter_turn);
+    const auto [s, c] = angles::sine_cosine(within);
+    return {std::max(0.0, c), s, static_cast<int>(-quarter)};
+}
+
+TurningFrame turning_frame(const Problem& problem, double offset) {
+    TurningFrame frame;
+    const std::vector<Border> ends = borders(problem);
+    frame.per_quarter = static_cast<int>(ends.size());
+    frame.sectors.reserve(4 * ends.size());
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const Point centre = turned({0.0, offset}, quarter);
+        Border begin = {0.0, 1.0};
+        for (const Border& end : ends) {
+            Sector& sector = frame.sectors.emplace_back();
+            sector.end_c = end.c;
+            sector.end_s = end.s;
+            const double begin_order = begin.s - begin.c;
+            const double end_order = end.s - end.c;
+            if (end.s > 0.0) sector.end_order = end_order;
+            const double c = begin.c + end.c;  // halfway, but for its length
+            const double s = begin.s + end.s;
+            const Point down = {-s, -c};  // as the car sees it
+            const Point right = {c, -s};
+            const Point left = {-c, s};
+            const Point up = {s, c};
+            sector.lowest = leading(problem.body, quarter, centre, down);
+            sector.leftmost = leading(problem.body, quarter, centre, left);
+            sector.rightmost = leading(problem.body, quarter, centre, right);
+            sector.at_curb = leading(problem.at_curb, quarter, centre, down);
+            sector.top = leading(problem.frame, quarter, centre, up);
+            sector.frame_low = leading(problem.frame, quarter, centre, down);
+            sector.frame_left = leading(problem.frame, quarter, centre, left);
+            sector.frame_right = leading(problem.frame, quarter, centre, right);
+            sector.graze_order = below_centre(sector.at_curb, begin_order, end_order);
+            sector.dip_order = below_centre(sector.top, begin_order, end_order);
+            add_edges(frame, problem.body, quarter, centre, sector.lowest.index, sector.rightmost.index,
+                      sector.front_edges, sector.front_edges_end);
+            add_edges(frame, problem.body, quarter, centre, sector.leftmost.index, sector.lowest.index,
+                      sector.rear_edges, sector.rear_edges_end);
+            begin = end;
+        }
+    }
+    return frame;
+}
+
+int part_met(const TurningFrame& frame, const Sector& sector, Meets meets, int edge) {
+    switch (meets) {
+        case Meets::front_side: return sector.rightmost.index;
+        case Meets::rear_side: return sector.leftmost.index;
+        case Meets::front_corner:
+        case Meets::rear_corner: return frame.edge_indices[static_cast<std::size_t>(edge)];
+        case Meets::front_top:
+        case Meets::rear_top: return sector.lowest.index;
+        default: return sector.at_curb.index;
+    }
+}
+
+namespace {
+
+/// The part of an outline, named by where it is.
+CarPart corner_at(const Outline& outline, const Point& point) {
+    const bool ahead = point.x > (outline.front() - outline.rear()) / 2.0;
+    const bool to_the_left = point.y > (outline.left() - outline.right()) / 2.0;
+    if (ahead) return to_the_left ? CarPart::front_left_corner : CarPart::front_right_corner;
+    return to_the_left ? CarPart::rear_left_corner : CarPart::rear_right_corner;
+}
+
+CarPart edge_at(const Outline& outline, const Point& from, const Point& to) {
+    const Point normal = {to.y - from.y, from.x - to.x};
+    constexpr double slanted = 0.41421356237309505;  // more than an eighth of a turn's half off both ways: a cut corner
+    const double least = std::min(std::abs(normal.x), std::abs(normal.y));
+    const double most = std::max(std::abs(normal.x), std::abs(normal.y));
+    if (least > slanted * most) return corner_at(outline, {(from.x + to.x) / 2.0, (from.y + to.y) / 2.0});
+    if (std::abs(normal.x) > std::abs(normal.y)) return normal.x > 0.0 ? CarPart::front_edge : CarPart::rear_edge;
+    return normal.y > 0.0 ? CarPart::left_edge : CarPart::right_edge;
+}
+
+Obstacle obstacle_of(Meets meets) {
+    switch (meets) {
+        case Meets::front_side:
+        case Meets::front_top: return Obstacle::front_side;
+        case Meets::front_corner: return Obstacle::front_corner;
+        case Meets::rear_side:
+        case Meets::rear_top: return Obstacle::rear_side;
+        case Meets::rear_corner: return Obstacle::rear_corner;
+        default: return Obstacle::curb;
+    }
+}
+
+CarPart wheel(CarPart corner) {
+    switch (corner) {
+        case CarPart::front_left_corner: return CarPart::front_left_wheel;
+        case CarPart::rear_left_corner: return CarPart::rear_left_wheel;
+        case CarPart::rear_right_corner: return CarPart::rear_right_wheel;
+        default: return CarPart::front_right_wheel;
+    }
+}
+
+}  // namespace
+
+Contact contact_of(const Car& car, const Slot& slot, Enter enter, const Problem& problem, Meets meets, int part) {
+    const bool edge = meets == Meets::front_corner || meets == Meets::rear_corner;
+    const bool wheels = meets == Meets::curb && slot.curb() == Curb::low;
+    const Outline& own = wheels ? car.wheels() : car.outline();
+    const bool flipped_y = slot.side() == Side::left;
+    const bool flipped_x = enter == Enter::forward;
+    // The corner as the car's own outline counts it; an edge seen in a mirror follows its other corner.
+    const std::vector<Point>& seen = (wheels ? problem.at_curb : problem.body).corners();
+    std::size_t index = static_cast<std::size_t>(part);
+    if (flipped_x != flipped_y) {
+        const Outline image = flipped_y ? own.mirrored() : own.turned_about();
+        const std::size_t from = edge ? (index + 1) % seen.size() : index;
+        const Point first = image.corners().front();
+        const Point original = {flipped_x ? -first.x : first.x, flipped_y ? -first.y : first.y};
+        const auto start = std::find(own.corners().begin(), own.corners().end(), original) - own.corners().begin();
+        index = (static_cast<std::size_t>(start) + seen.size() - from) % seen.size();
+    } else if (flipped_x) {
+        const Outline image = own.mirrored().turned_about();
+        const Point first = image.corners().front();
+        const auto start = std::find(own.corners().begin(), own.corners().end(), Point{-first.x, -first.y}) -
+                           own.corners().begin();
+        index = (static_cast<std::size_t>(start) + index) % seen.size();
+    }
+    const Point& corner = own.corners()[index];
+    CarPart name = edge ? edge_at(own, corner, own.corners()[(index + 1) % own.corners().size()]) : corner_at(own, corner);
+    if (wheels) name = wheel(name);
+    Obstacle obstacle = obstacle_of(meets);
+    if (flipped_x) obstacle = other_end(obstacle);
+    return {name, obstacle, index};
+}
+
+}  // namespace snug::detail

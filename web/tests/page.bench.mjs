@@ -1,0 +1,44 @@
+// How long the built page takes: `npm run bench`. Each line is <question>/<strategy>/<case> and milliseconds; a busy machine
+// makes them larger, so nothing is asserted.
+import { open } from "./browser.mjs";
+
+const site = await open();
+const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const line = (name, times) => {
+    const sorted = times.slice().sort((a, b) => a - b);
+    const at = (part) => sorted[Math.floor((sorted.length - 1) * part)].toFixed(2).padStart(9);
+    console.log(`${name.padEnd(44)} median ${at(0.5)} ms   slowest ${at(1)} ms   of ${sorted.length}`);
+};
+
+/** The rear neighbour dragged in and out; what each frame took to answer. */
+async function drag(name, path) {
+    const page = await site.page({ path });
+    await page.evaluate(() => (window.snugPage.frameTimes.length = 0));
+    const grip = await page.locator('[data-grip="rear"] .knob').boundingBox();
+    const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let step = 0; step <= 60; ++step) {
+        await page.mouse.move(x + 60 * Math.sin(step / 6), y);
+        await settled(page);
+    }
+    line(name, await page.evaluate(() => window.snugPage.frameTimes));
+    await page.mouse.up();
+    await page.context().close();
+}
+
+/** From the navigation to the first answer. */
+async function load(name) {
+    const times = [];
+    for (let i = 0; i < 5; ++i) {
+        const page = await site.page();
+        times.push(Number(await page.evaluate(() => document.documentElement.dataset.ready)));
+        await page.context().close();
+    }
+    line(name, times);
+}
+
+await load("page/load/first-answer");
+await drag("page/max-steer/drag-ordinary-slots", "");
+await drag("page/max-steer/drag-tight-slots", "#car=renault-zoe&length=4.9&width=1.85");
+await site.close();
