@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "car_file.hpp"
-#include "model/check.hpp"
-#include "model/spelling.hpp"
+#include "sentences/check.hpp"
+#include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
 

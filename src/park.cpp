@@ -9,7 +9,7 @@
 #include "all_maneuvers/park_search.hpp"
 #include "contact/place_contact.hpp"
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug {
 
