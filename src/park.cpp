@@ -19,7 +19,7 @@ using namespace detail::sets;
 
 constexpr double half_turn = 3.141592653589793;
 constexpr double most_changes = 1000.0;
-constexpr double usual_part = 1.0 / 400;    ///< of the car's length: the usual resolution
+constexpr double usual_part = 1.0 / 800;    ///< of the car's length: the usual resolution
 constexpr double coarsest_part = 1.0 / 50;  ///< and no lattice is coarser
 constexpr double most_cells = 2e7;          ///< of the coarsest lattice
 constexpr double touch = 1e-9;              ///< deeper is contact [m]
