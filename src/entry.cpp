@@ -73,7 +73,7 @@ Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& opt
     if (!fewest || answer.cancelled) return answer;
     answer.direction_changes = fewest;
     answer.ranges = ranges_of(found, options.max_changes ? limit : *fewest, width);
-    const MaxSteerOptions drive = {*fewest, options.driving};
+    const MaxSteerOptions drive = {*fewest, options.driving, options.parked};
     answer.maneuver = max_steer(car, slot, middle(*widest_range(answer.ranges, *fewest)), drive).maneuver;
     return answer;
 }
@@ -88,14 +88,14 @@ Answer trials_answer(std::optional<Maneuver> maneuver) {
 }  // namespace
 
 Answer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
-    const MaxSteerOptions drive{options.max_changes.value_or(most_changes), options.driving};
+    const MaxSteerOptions drive{options.max_changes.value_or(most_changes), options.driving, options.parked};
     check(drive);
     check_between("smallest range", options.min_range, 0.0, 1.5707963267948966, " rad");
     if (const auto* trials = std::get_if<ReversedTrials>(&options.strategy))
         return trials_answer(reversed_trials(car, slot, *trials, drive));
     if (const auto* trials = std::get_if<ParallelTrials>(&options.strategy))
         return trials_answer(parallel_trials(car, slot, *trials, drive));
-    const Shortfall lacks = shortfall(car, slot, options.driving.clearance);
+    const Shortfall lacks = shortfall(car, slot, options.driving);
     if (lacks.length > 0.0 || lacks.width > 0.0) return {};
     if (const auto* steps = std::get_if<Stepping>(&options.strategy)) {
         return stepping_entry(car, slot, options, *steps);
@@ -103,9 +103,20 @@ Answer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
     return max_steer_entry(car, slot, options);
 }
 
+Shortfall shortfall(const Car& car, const Slot& slot, const Driving& driving) {
+    const auto kept_from = [&](double setback) { return setback > 0.0 ? 0.0 : driving.clearance; };
+    const Outline& stops = slot.curb() == Curb::low ? car.wheels() : car.outline();
+    const bool right = slot.side() == Side::right;
+    const double width = slot.curb() == Curb::low
+                             ? (right ? car.outline().left() + stops.right() : car.outline().right() + stops.left())
+                             : car.width();
+    return {
+        std::max(0.0, car.length() + kept_from(slot.front_setback()) + kept_from(slot.rear_setback()) - slot.length()),
+        std::max(0.0, width + driving.at_curb() - slot.width())};
+}
+
 Shortfall shortfall(const Car& car, const Slot& slot, double clearance) {
-    return {std::max(0.0, car.length() + 2.0 * clearance - slot.length()),
-            std::max(0.0, car.width() + clearance - slot.width())};
+    return shortfall(car, slot, Driving{.clearance = clearance});
 }
 
 }  // namespace snug

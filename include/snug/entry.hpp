@@ -37,13 +37,15 @@ struct EntryOptions {
 /// Throws Error when an option is impossible.
 Answer entry(const Car& car, const Slot& slot, const EntryOptions& options = {});
 
-/// How much a slot lacks to hold the car at all, with the clearance it keeps from front, rear and curb. [m], 0 if nothing.
+/// How much a slot lacks to hold the parallel car at all, with the clearance it keeps from neighbours and curb (none where a
+/// neighbour is set back). [m], 0 if nothing.
 struct Shortfall {
     double length = 0.0;
     double width = 0.0;
 
     friend bool operator==(const Shortfall&, const Shortfall&) = default;
 };
-Shortfall shortfall(const Car& car, const Slot& slot, double clearance = 0.0);
+Shortfall shortfall(const Car& car, const Slot& slot, const Driving& driving = {});
+Shortfall shortfall(const Car& car, const Slot& slot, double clearance);
 
 }  // namespace snug

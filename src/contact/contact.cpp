@@ -277,7 +277,8 @@ Apart apart_from(const Outline& body, const Standing& car, const Point& corner, 
         const Point to = car.at(next_corner(body, by_edge.part));
         const Point way = {to.x - from.x, to.y - from.y};
         const double along = (corner.x - from.x) * way.x + (corner.y - from.y) * way.y;
-        if (along >= 0.0 && along <= way.x * way.x + way.y * way.y && by_edge.distance < nearest.distance) return by_edge;
+        if (along >= 0.0 && along <= way.x * way.x + way.y * way.y && by_edge.distance < nearest.distance)
+            return by_edge;
     }
     return nearest;
 }
@@ -296,9 +297,9 @@ Apart apart_from_curb(const Problem& problem, const Standing& car) {
 std::optional<Meeting> overlapped(const PlainMove& move) {
     const Problem& problem = move.problem;
     const Standing car(move.start);
-    for (const Apart& apart : {apart_from_curb(problem, car),
-                               apart_from(problem.body, car, corner_met(problem, Meets::front_corner), 1.0),
-                               apart_from(problem.body, car, corner_met(problem, Meets::rear_corner), -1.0)}) {
+    for (const Apart& apart :
+         {apart_from_curb(problem, car), apart_from(problem.body, car, corner_met(problem, Meets::front_corner), 1.0),
+          apart_from(problem.body, car, corner_met(problem, Meets::rear_corner), -1.0)}) {
         if (apart.distance < -problem.touch) return Meeting{0.0, apart.meets, apart.part};
     }
     return std::nullopt;

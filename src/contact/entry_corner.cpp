@@ -22,22 +22,8 @@ Point outward_normal(const Point& from, const Point& to) {
     return {(to.y - from.y) / length, (from.x - to.x) / length};
 }
 
-/// The outward normals of the edges before and after the entry corner.
-struct Corner {
-    Point before, after;
-};
-Corner corner_at(const Problem& problem, const Point& corner) {
-    const std::vector<Point>& corners = problem.body.corners();
-    const std::size_t count = corners.size();
-    const auto i = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), corner) - corners.begin());
-    return {outward_normal(corners[(i + count - 1) % count], corner),
-            outward_normal(corner, corners[(i + 1) % count])};
-}
-
 /// Of the rear neighbour, seen from the front one's corner.
-Point rear_corner(const Problem& problem) {
-    return {-problem.length, problem.front_setback - problem.rear_setback};
-}
+Point rear_corner(const Problem& problem) { return {-problem.length, problem.front_setback - problem.rear_setback}; }
 
 /// How far the first move starts away from the front side; negative: into it. [m]
 double first_move_clears(const Problem& problem, const Point& corner, double c, double s) {
@@ -77,67 +63,74 @@ Pose entry_pose(const Problem& problem, const Point& corner, double heading) {
     return {corner.y * s - corner.x * c, -corner.x * s - corner.y * c - problem.front_setback, heading};
 }
 
-double entry_clears(const Problem& problem, const Point& corner, double c, double s) {
+EntryShape::EntryShape(const Problem& problem) : corner(entry_corner(problem)) {
+    const std::vector<Point>& corners = problem.body.corners();
+    edges.reserve(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point& next = corners[(i + 1) % corners.size()];
+        edges.push_back({{corners[i].x - corner.x, corners[i].y - corner.y}, outward_normal(corners[i], next)});
+        if (next == corner) before = edges.back().normal;
+        if (corners[i] == corner) after = edges.back().normal;
+    }
+    at_curb.reserve(problem.at_curb.corners().size());
+    for (const Point& own : problem.at_curb.corners()) at_curb.push_back({own.x - corner.x, own.y - corner.y});
+}
+
+double EntryShape::clears(const Problem& problem, double c, double s) const {
     const auto turned_x = [&](const Point& p) { return p.x * c - p.y * s; };
     const auto turned_y = [&](const Point& p) { return p.x * s + p.y * c; };
     const double size = problem.length + problem.body.front() + problem.body.rear() + problem.radius;
 
     // The front neighbour lies beyond a line through the corner that the body does not cross.
-    const Corner edges = corner_at(problem, corner);
-    double clears = std::min(first_move_clears(problem, corner, c, s), -turned_y(edges.before) * size);
-    if (turned_y(edges.after) <= 0.0) clears = std::min(clears, turned_x(edges.after) * size);
+    double least = std::min(first_move_clears(problem, corner, c, s), -turned_y(before) * size);
+    if (turned_y(after) <= 0.0) least = std::min(least, turned_x(after) * size);
 
-    for (const Point& own : problem.at_curb.corners())
-        clears = std::min(clears, turned_y({own.x - corner.x, own.y - corner.y}) + problem.width - problem.front_setback);
+    for (const Point& own : at_curb) least = std::min(least, turned_y(own) + problem.width - problem.front_setback);
 
     const Point rear = rear_corner(problem);
     double left = std::numeric_limits<double>::infinity();
     double low = left;
     double apart = -left;
-    const std::vector<Point>& corners = problem.body.corners();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point own = {corners[i].x - corner.x, corners[i].y - corner.y};
-        const double x = turned_x(own);
-        const double y = turned_y(own);
+    for (const Edge& edge : edges) {
+        const double x = turned_x(edge.corner);
+        const double y = turned_y(edge.corner);
         left = std::min(left, x);
         low = std::min(low, y);
-        const Point& next = corners[(i + 1) % corners.size()];
-        const Point way = {next.x - corners[i].x, next.y - corners[i].y};
-        const Point normal = {turned_y(way), -turned_x(way)};  // as long as the edge
+        const Point normal = {turned_x(edge.normal), turned_y(edge.normal)};
         if (normal.x > 0.0 || normal.y > 0.0) continue;
-        const double length = angles::hypot(way.x, way.y);
-        apart = std::max(apart, (normal.x * (rear.x - x) + normal.y * (rear.y - y)) / length);
+        apart = std::max(apart, normal.x * (rear.x - x) + normal.y * (rear.y - y));
     }
-    return std::min(clears, std::max({apart, left - rear.x, low - rear.y}));
+    return std::min(least, std::max({apart, left - rear.x, low - rear.y}));
 }
 
 std::vector<Headings> possible_headings(const Problem& problem) {
+    return possible_headings(problem, EntryShape(problem));
+}
+
+std::vector<Headings> possible_headings(const Problem& problem, const EntryShape& shape) {
     const bool open = problem.front_setback > 0.0 || problem.rear_setback > 0.0;
     if (!open && problem.body.front() + problem.body.rear() > problem.length) return {};
-    const Point corner = entry_corner(problem);
+    const Point& corner = shape.corner;
     const Point rear = rear_corner(problem);
     std::vector<Direction> cuts;
+    cuts.reserve(2 + 2 * shape.at_curb.size() + 6 * shape.edges.size());
+    cuts.push_back({1.0, 0.0});
     const auto cut = [&](const Direction& at) { cuts.push_back(at); };
-    const Corner edges = corner_at(problem, corner);
-    roots(edges.before.y, edges.before.x, 0.0, cut);
-    roots(edges.after.x, -edges.after.y, 0.0, cut);
+    roots(shape.before.y, shape.before.x, 0.0, cut);
+    roots(shape.after.x, -shape.after.y, 0.0, cut);
     roots(problem.radius - corner.y, -corner.x, 0.0, cut);
-    for (const Point& own : problem.at_curb.corners())
-        roots(own.y - corner.y, own.x - corner.x, problem.front_setback - problem.width, cut);
-    const std::vector<Point>& corners = problem.body.corners();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point own = {corners[i].x - corner.x, corners[i].y - corner.y};
-        roots(own.x, -own.y, rear.x, cut);
-        roots(own.y, own.x, rear.y, cut);
-        const Point normal = outward_normal(corners[i], corners[(i + 1) % corners.size()]);
-        roots(rear.x * normal.x + rear.y * normal.y, rear.y * normal.x - rear.x * normal.y,
-              normal.x * own.x + normal.y * own.y, cut);
+    for (const Point& own : shape.at_curb) roots(own.y, own.x, problem.front_setback - problem.width, cut);
+    for (const EntryShape::Edge& edge : shape.edges) {
+        roots(edge.corner.x, -edge.corner.y, rear.x, cut);
+        roots(edge.corner.y, edge.corner.x, rear.y, cut);
+        roots(rear.x * edge.normal.x + rear.y * edge.normal.y, rear.y * edge.normal.x - rear.x * edge.normal.y,
+              edge.normal.x * edge.corner.x + edge.normal.y * edge.corner.y, cut);
     }
-    std::sort(cuts.begin(), cuts.end(), [](const Direction& a, const Direction& b) { return a.order() < b.order(); });
-    cuts.insert(cuts.begin(), {1.0, 0.0});
+    std::sort(cuts.begin() + 1, cuts.end(),
+              [](const Direction& a, const Direction& b) { return a.order() < b.order(); });
     cuts.push_back({0.0, 1.0});
 
-    const auto is_possible = [&](double c, double s) { return entry_clears(problem, corner, c, s) >= -problem.touch; };
+    const auto is_possible = [&](double c, double s) { return shape.clears(problem, c, s) >= -problem.touch; };
     std::vector<Headings> possible;
     bool before = is_possible(1.0, 0.0);
     if (before) possible.push_back({0.0, 0.0});

@@ -25,8 +25,24 @@ inline bool lies_in(const std::vector<Headings>& ranges, double heading) {
     return false;
 }
 
-/// By how much the body clears what it could overlap at the heading with this direction, and the entry corner the front
-/// neighbour on the first move; negative if it does not [m].
-double entry_clears(const Problem& problem, const Point& corner, double c, double s);
+/// The body as it stands about its entry corner: what the check of an entry position needs, whatever the slot.
+struct EntryShape {
+    struct Edge {
+        Point corner;  ///< where it begins, seen from the entry corner
+        Point normal;  ///< outward
+    };
+    Point corner;         ///< the entry corner
+    Point before, after;  ///< outward normals of the edges beside it
+    std::vector<Edge> edges;
+    std::vector<Point> at_curb;  ///< corners of what stops at the curb, seen from the entry corner
+
+    explicit EntryShape(const Problem& problem);
+
+    /// By how much the body clears what it could overlap at the heading with this direction, and the entry corner the front
+    /// neighbour on the first move; negative if it does not [m].
+    [[nodiscard]] double clears(const Problem& problem, double c, double s) const;
+};
+
+std::vector<Headings> possible_headings(const Problem& problem, const EntryShape& shape);
 
 }  // namespace snug::detail

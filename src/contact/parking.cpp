@@ -87,7 +87,8 @@ void each_sector(const TurningFrame& frame, const QuarterHeading& from, const Qu
     int index = frame.sector_of(now);
     for (int i = 0; i <= 4 * frame.per_quarter; ++i) {
         const Sector& sector = frame.at(now.quarter, index);
-        const bool last = now.quarter == to.quarter && (index + 1 == frame.per_quarter || to.order() >= sector.end_order);
+        const bool last =
+            now.quarter == to.quarter && (index + 1 == frame.per_quarter || to.order() >= sector.end_order);
         const Direction end = last ? Direction{to.c, to.s} : Direction{sector.end_c, sector.end_s};
         if (!visit(sector, Direction{now.c, now.s}, end, now.quarter) || last) return;
         if (++index == frame.per_quarter) {
@@ -129,31 +130,32 @@ Miss least_miss(const Turn& turn, const QuarterHeading& from, const QuarterHeadi
         take(conditions.miss(part->from.c, part->from.s),
              slope_at(conditions, part->from.c, part->from.s, whole_from ? from_slope : 0.0));
     }
-    each_sector(*turn.frame, part->from, part->to, [&](const Sector& sector, Direction begin, Direction end, int quarter) {
-        const Conditions conditions(turn, sector);
-        for (std::size_t i = 0; i < conditions.count; ++i) {
-            const Condition& one = conditions.all[i];
-            const double radius = std::sqrt(one.a * one.a + one.b * one.b);
-            const Direction lowest = {-one.a / radius, -one.b / radius};
-            if (lies_between(lowest, begin, end) && &conditions.worst(lowest.c, lowest.s) == &one)
-                take(one.at(lowest.c, lowest.s), one.e_slope);
-            for (std::size_t k = 0; k < i; ++k) {
-                const Condition& other = conditions.all[k];
-                roots(one.a - other.a, one.b - other.b, other.e - one.e, [&](const Direction& at) {
-                    if (!lies_between(at, begin, end)) return;
-                    const double here = one.at(at.c, at.s);
-                    if (conditions.miss(at.c, at.s) > here + 1e-9 * radius) return;
-                    const double mine = one.by_heading(at.c, at.s);
-                    const double others = other.by_heading(at.c, at.s);
-                    take(std::max(here, other.at(at.c, at.s)),
-                         (one.e_slope * others - other.e_slope * mine) / (others - mine));
+    each_sector(*turn.frame, part->from, part->to,
+                [&](const Sector& sector, Direction begin, Direction end, int quarter) {
+                    const Conditions conditions(turn, sector);
+                    for (std::size_t i = 0; i < conditions.count; ++i) {
+                        const Condition& one = conditions.all[i];
+                        const double radius = std::sqrt(one.a * one.a + one.b * one.b);
+                        const Direction lowest = {-one.a / radius, -one.b / radius};
+                        if (lies_between(lowest, begin, end) && &conditions.worst(lowest.c, lowest.s) == &one)
+                            take(one.at(lowest.c, lowest.s), one.e_slope);
+                        for (std::size_t k = 0; k < i; ++k) {
+                            const Condition& other = conditions.all[k];
+                            roots(one.a - other.a, one.b - other.b, other.e - one.e, [&](const Direction& at) {
+                                if (!lies_between(at, begin, end)) return;
+                                const double here = one.at(at.c, at.s);
+                                if (conditions.miss(at.c, at.s) > here + 1e-9 * radius) return;
+                                const double mine = one.by_heading(at.c, at.s);
+                                const double others = other.by_heading(at.c, at.s);
+                                take(std::max(here, other.at(at.c, at.s)),
+                                     (one.e_slope * others - other.e_slope * mine) / (others - mine));
+                            });
+                        }
+                    }
+                    const bool at_end = whole_to && quarter == to.quarter && end.order() == to.order();
+                    take(conditions.miss(end.c, end.s), slope_at(conditions, end.c, end.s, at_end ? to_slope : 0.0));
+                    return true;
                 });
-            }
-        }
-        const bool at_end = whole_to && quarter == to.quarter && end.order() == to.order();
-        take(conditions.miss(end.c, end.s), slope_at(conditions, end.c, end.s, at_end ? to_slope : 0.0));
-        return true;
-    });
     return least;
 }
 
@@ -162,35 +164,36 @@ std::optional<ParkedTurn> first_parked(const Turn& turn, const QuarterHeading& f
     const std::optional<ParkedTurn> part = parallel_part(turn, from, to);
     if (!part) return std::nullopt;
     std::optional<ParkedTurn> found;
-    each_sector(*turn.frame, part->from, part->to, [&](const Sector& sector, Direction begin, Direction end, int quarter) {
-        const Conditions conditions(turn, sector);
-        std::array<Direction, 10> cuts;
-        std::size_t count = 0;
-        cuts[count++] = begin;
-        for (std::size_t i = 0; i < conditions.count; ++i) {
-            const Condition& one = conditions.all[i];
-            roots(one.a, one.b, -one.e, [&](const Direction& at) {
-                if (lies_between(at, begin, end)) cuts[count++] = at;
-            });
-        }
-        const auto later = [](const Direction& a, const Direction& b) { return a.order() > b.order(); };
-        std::sort(cuts.begin() + 1, cuts.begin() + static_cast<std::ptrdiff_t>(count), later);
-        cuts[count++] = end;
-        if (!found && conditions.miss(begin.c, begin.s) <= allowed)
-            found = ParkedTurn{{begin.c, begin.s, quarter}, {begin.c, begin.s, quarter}};
-        for (std::size_t i = 0; i + 1 < count; ++i) {
-            const double c = cuts[i].c + cuts[i + 1].c;
-            const double s = cuts[i].s + cuts[i + 1].s;
-            const double length = std::sqrt(c * c + s * s);
-            if (conditions.miss(c / length, s / length) <= 0.0) {
-                if (!found) found = ParkedTurn{{cuts[i].c, cuts[i].s, quarter}, {}};
-                found->to = {cuts[i + 1].c, cuts[i + 1].s, quarter};
-            } else if (found) {
-                return false;
-            }
-        }
-        return true;
-    });
+    each_sector(*turn.frame, part->from, part->to,
+                [&](const Sector& sector, Direction begin, Direction end, int quarter) {
+                    const Conditions conditions(turn, sector);
+                    std::array<Direction, 10> cuts;
+                    std::size_t count = 0;
+                    cuts[count++] = begin;
+                    for (std::size_t i = 0; i < conditions.count; ++i) {
+                        const Condition& one = conditions.all[i];
+                        roots(one.a, one.b, -one.e, [&](const Direction& at) {
+                            if (lies_between(at, begin, end)) cuts[count++] = at;
+                        });
+                    }
+                    const auto later = [](const Direction& a, const Direction& b) { return a.order() > b.order(); };
+                    std::sort(cuts.begin() + 1, cuts.begin() + static_cast<std::ptrdiff_t>(count), later);
+                    cuts[count++] = end;
+                    if (!found && conditions.miss(begin.c, begin.s) <= allowed)
+                        found = ParkedTurn{{begin.c, begin.s, quarter}, {begin.c, begin.s, quarter}};
+                    for (std::size_t i = 0; i + 1 < count; ++i) {
+                        const double c = cuts[i].c + cuts[i + 1].c;
+                        const double s = cuts[i].s + cuts[i + 1].s;
+                        const double length = std::sqrt(c * c + s * s);
+                        if (conditions.miss(c / length, s / length) <= 0.0) {
+                            if (!found) found = ParkedTurn{{cuts[i].c, cuts[i].s, quarter}, {}};
+                            found->to = {cuts[i + 1].c, cuts[i + 1].s, quarter};
+                        } else if (found) {
+                            return false;
+                        }
+                    }
+                    return true;
+                });
     return found;
 }
 

@@ -221,12 +221,13 @@ Contact contact_of(const Car& car, const Slot& slot, Enter enter, const Problem&
     } else if (flipped_x) {
         const Outline image = own.mirrored().turned_about();
         const Point first = image.corners().front();
-        const auto start = std::find(own.corners().begin(), own.corners().end(), Point{-first.x, -first.y}) -
-                           own.corners().begin();
+        const auto start =
+            std::find(own.corners().begin(), own.corners().end(), Point{-first.x, -first.y}) - own.corners().begin();
         index = (static_cast<std::size_t>(start) + index) % seen.size();
     }
     const Point& corner = own.corners()[index];
-    CarPart name = edge ? edge_at(own, corner, own.corners()[(index + 1) % own.corners().size()]) : corner_at(own, corner);
+    CarPart name =
+        edge ? edge_at(own, corner, own.corners()[(index + 1) % own.corners().size()]) : corner_at(own, corner);
     if (wheels) name = wheel(name);
     Obstacle obstacle = obstacle_of(meets);
     if (flipped_x) obstacle = other_end(obstacle);

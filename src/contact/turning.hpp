@@ -98,14 +98,14 @@ struct TurningCorner : SeenCorner<double> {
 
 /// The outline while the same corners lead.
 struct Sector {
-    double end_c = 1.0;       ///< where it ends, within its quarter turn
+    double end_c = 1.0;  ///< where it ends, within its quarter turn
     double end_s = 0.0;
     double end_order = -2.0;  ///< order() there; -2 at the end of the quarter, which rounding must not cut off
     TurningCorner lowest;     ///< of the body
     TurningCorner leftmost;
     TurningCorner rightmost;
-    TurningCorner at_curb;  ///< the lowest of what stops at the curb
-    TurningCorner top;      ///< the highest of the frame
+    TurningCorner at_curb;                             ///< the lowest of what stops at the curb
+    TurningCorner top;                                 ///< the highest of the frame
     TurningCorner frame_low, frame_left, frame_right;  ///< the others of the frame, for all that counts as parked
     /// order() of the heading at which the corner at the curb is lowest, and the top is lowest; infinite if not in the sector.
     double graze_order = std::numeric_limits<double>::infinity();
@@ -145,17 +145,13 @@ inline double height_of(const TurningCorner& corner, double y, double c, double 
 /// First contact while turning clockwise about (x, y) within a sector, from the heading (c, s).
 inline First<Plain<double>> first_in_sector(const TurningFrame& frame, const Sector& sector, double x, double y,
                                             const Problem& problem, double start_c, double start_s) {
-    const Surroundings<double> around = {x,
-                                         y,
-                                         problem.length,
-                                         y + problem.width,
-                                         y + problem.front_setback,
-                                         y + problem.rear_setback,
-                                         problem.touch};
+    const Surroundings<double> around = {
+        x, y, problem.length, y + problem.width, y + problem.front_setback, y + problem.rear_setback, problem.touch};
     First<Plain<double>> first(start_c, start_s, sector.end_order);
     first.corners_meet(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around);
     for (std::uint32_t i = sector.front_edges; i != sector.front_edges_end; ++i)
-        first.edge_meets_corner(frame.edges[i], -x, -around.above_front, problem.touch, Meets::front_corner, static_cast<int>(i));
+        first.edge_meets_corner(frame.edges[i], -x, -around.above_front, problem.touch, Meets::front_corner,
+                                static_cast<int>(i));
     for (std::uint32_t i = sector.rear_edges; i != sector.rear_edges_end; ++i)
         first.edge_meets_corner(frame.edges[i], -x - problem.length, -around.above_rear, problem.touch,
                                 Meets::rear_corner, static_cast<int>(i));

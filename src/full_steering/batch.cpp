@@ -26,8 +26,13 @@ int direction_changes_alone(const FullSteering& steering, double heading, int ma
 
 Cases::Cases(FullSteering& steering, Enter enter, const std::vector<double>& headings, const std::vector<Slot>* slots,
              int max_changes)
-    : steering_(steering), enter_(enter), headings_(headings), slots_(slots), max_changes_(max_changes), changes_(headings.size()) {
-    if (slots == nullptr) possible_ = possible_headings(steering.problem);
+    : steering_(steering),
+      enter_(enter),
+      headings_(headings),
+      slots_(slots),
+      max_changes_(max_changes),
+      changes_(headings.size()) {
+    if (slots == nullptr) possible_ = possible_headings(steering.problem, steering.entry);
 }
 
 void Cases::prepare() {
@@ -37,9 +42,15 @@ void Cases::prepare() {
         const FullSteeringRun run(steering_, headings_[next_]);
         const QuarterHeading& direction = run.heading();
         if (is_entry(headings_[next_], direction)) {
-            starts_[prepared_++] = {
-                next_, run.x(), run.y(), direction.c, direction.s, steering_.problem.length, steering_.problem.width,
-                steering_.problem.front_setback, steering_.problem.rear_setback};
+            starts_[prepared_++] = {next_,
+                                    run.x(),
+                                    run.y(),
+                                    direction.c,
+                                    direction.s,
+                                    steering_.problem.length,
+                                    steering_.problem.width,
+                                    steering_.problem.front_setback,
+                                    steering_.problem.rear_setback};
         } else {
             answer(next_, -1);
         }
@@ -73,11 +84,11 @@ bool Cases::is_entry(double heading, const QuarterHeading& direction) const {
     if (slots_ == nullptr) return lies_in(possible_, heading);
     const Problem& problem = steering_.problem;
     const double size = problem.length + problem.body.front() + problem.body.rear() + problem.radius;
-    double clears = entry_clears(problem, steering_.entry_corner, direction.c, direction.s);
+    double clears = steering_.entry.clears(problem, direction.c, direction.s);
     if (problem.front_setback == 0.0 && problem.rear_setback == 0.0)
         clears = std::min(clears, problem.length - problem.body.front() - problem.body.rear());
     if (std::abs(clears) > 1e-9 * size) return clears > 0.0;
-    return lies_in(possible_headings(problem), heading);
+    return lies_in(possible_headings(problem, steering_.entry), heading);
 }
 
 }  // namespace detail

@@ -20,10 +20,10 @@ public:
     /// A case at its entry position.
     struct Start {
         std::size_t index = 0;
-        double x = 0.0, y = 0.0;  ///< of the first turning centre [m]
-        double c = 1.0, s = 0.0;  ///< of the heading
-        double length = 0.0;      ///< of its slot [m]
-        double width = 0.0;       ///< of its slot [m]
+        double x = 0.0, y = 0.0;                         ///< of the first turning centre [m]
+        double c = 1.0, s = 0.0;                         ///< of the heading
+        double length = 0.0;                             ///< of its slot [m]
+        double width = 0.0;                              ///< of its slot [m]
         double front_setback = 0.0, rear_setback = 0.0;  ///< of its slot [m]
     };
 

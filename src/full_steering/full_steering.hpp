@@ -21,14 +21,14 @@ struct FullSteering {
     TurningFrame backward;  ///< turning about the left centre
     TurningFrame forward;   ///< turning about the right centre
     bool height_decides;    ///< see by_height_alone()
-    Point entry_corner;     ///< of the body: it touches the front neighbour's corner at the entry position
+    EntryShape entry;       ///< the body at the entry position
 
     explicit FullSteering(const Problem& of)
         : problem(of),
           backward(turning_frame(of, of.radius)),
           forward(turning_frame(of, -of.radius)),
           height_decides(by_height_alone(of)),
-          entry_corner(detail::entry_corner(of)) {}
+          entry(of) {}
 };
 
 /// What one move did.
@@ -61,8 +61,8 @@ public:
     FullSteeringRun(const FullSteering& steering, double entry_heading) : steering_(&steering) {
         const auto [sine, cosine] = angles::sine_cosine(entry_heading);
         heading_ = {cosine, sine, 0};
-        const double front = steering.entry_corner.x;
-        const double side = steering.problem.radius - steering.entry_corner.y;
+        const double front = steering.entry.corner.x;
+        const double side = steering.problem.radius - steering.entry.corner.y;
         const double x = -front * heading_.c - side * heading_.s;
         const double y = -front * heading_.s + side * heading_.c;
         x_ = x;
@@ -119,8 +119,10 @@ public:
                     now.s = first.s;
                 }
                 if constexpr (Slope) {
-                    if (!move.stuck) end_slope_ = end_slope_at(frame, contact, now);
-                    else end_slope_ = heading_slope_;
+                    if (!move.stuck)
+                        end_slope_ = end_slope_at(frame, contact, now);
+                    else
+                        end_slope_ = heading_slope_;
                 }
                 break;
             }

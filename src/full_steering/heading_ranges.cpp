@@ -49,7 +49,7 @@ struct Sample {
 /// May one trust that a function that is positive at both ends of an interval stays so in between? Yes if it is far from
 /// zero for how much it moves, if it plainly rises or falls, or if its tangents, made four times as steep, meet above
 /// zero. (Beyond a jump slopes are infinite, so straight lines alone would not do.) With a kink between, where another
-/// slope begins, it must be far from zero for the steeper of the slopes known.
+/// slope begins, the lesser value must exceed the steepest change known.
 bool stays_positive(const Sample& left, const Sample& right, double width, bool smooth) {
     const double change = right.value - left.value;
     const double gentle = std::min(std::abs(left.slope), std::abs(right.slope)) * width;
@@ -57,7 +57,7 @@ bool stays_positive(const Sample& left, const Sample& right, double width, bool 
     const double least = std::min(left.value, right.value);
     if (!smooth) {
         const double falls = std::min(left.value + 2.0 * left.slope * width, right.value - 2.0 * right.slope * width);
-        return falls > 0.0 && left.value + right.value > 2.0 * steep;
+        return falls > 0.0 && least > steep;
     }
     if (left.slope < 0.0 && right.slope > 0.0) {
         const double fall = 4.0 * left.slope;
@@ -92,7 +92,7 @@ public:
         : steering_(steering), limit_(max_changes), find_(find), progress_(progress) {}
 
     std::vector<CountedHeadings> run() {
-        for (const Headings& headings : possible_headings(steering_.problem)) search(headings);
+        for (const Headings& headings : possible_headings(steering_.problem, steering_.entry)) search(headings);
         if (given_up_) return {};
         std::vector<CountedHeadings> ranges = constant_ranges();
         if (find_ == Find::fewest)
@@ -193,10 +193,11 @@ private:
             return;
         }
         const std::size_t moves = std::min(static_cast<std::size_t>(limit_) + 1, std::max(left.count, right.count));
+        bool smooth = true;  // a kink in one move is one in all that follow
         for (std::size_t n = 0; n < moves; ++n) {
             const FullMove& a = move(left, n);
             const FullMove& b = move(right, n);
-            const bool smooth = a.meets == b.meets && a.part == b.part && a.quarter == b.quarter;
+            smooth = smooth && a.meets == b.meets && a.part == b.part && a.quarter == b.quarter;
             const double first = a.graze[0] * b.graze[0];  // NaN unless both moves sweep that point
             const double second = a.graze[1] * b.graze[1];
             if (first < 0.0) return split_at_root(left, right, n, first_graze);

@@ -7,9 +7,9 @@
 
 #include "contact/entering.hpp"
 #include "contact/parking.hpp"
+#include "full_steering/full_steering.hpp"
 #include "snug/contact.hpp"
 #include "snug/entry_position.hpp"
-#include "full_steering/full_steering.hpp"
 
 namespace snug {
 
@@ -64,7 +64,7 @@ MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering
         move.length = radius * (pose.heading - turned_to);
         pose = {centre_x + offset * end.sine(), centre_y - offset * end.cosine(), turned_to};
         move.end = to_world(slot, options.driving.enter, pose);
-        if (touches) 
+        if (touches)
             move.contact = contact_of(car, slot, options.driving.enter, steering.problem, full.meets, full.part);
         run.maneuver.moves.push_back(move);
         if (parked) {
@@ -81,7 +81,7 @@ MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const Ma
     check(options);
     check_entry_heading(heading);
     const FullSteering steering(entering_problem(car, slot, options.driving, options.parked));
-    if (!lies_in(detail::possible_headings(steering.problem), heading)) return {Outcome::no_entry, {car, {}}};
+    if (!lies_in(detail::possible_headings(steering.problem, steering.entry), heading)) return {Outcome::no_entry, {car, {}}};
     const FullSteeringRun at_entry(steering, heading);
     const double radius = steering.problem.radius;
     const QuarterHeading& way = at_entry.heading();

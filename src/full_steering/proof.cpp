@@ -114,7 +114,8 @@ private:
     enum Axis { down, right, left, up };
 
     /// Headings at which an edge of the polygon faces one of the axes, and all quarters (stages are no longer than that).
-    static void add_stages(std::vector<Stage>& stages, const std::vector<Point>& corners, std::vector<Axis> axes) {
+    static void add_stages(std::vector<Stage>& stages, const std::vector<Point>& corners,
+                           const std::vector<Axis>& axes) {
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Point n = normal(corners, i);
             for (const Axis axis : axes) {
@@ -676,7 +677,6 @@ void spells_of(Spells& all, const Condition& of, const State& state, const Headi
         all.spell[1] = again;
         all.count = 2;
     }
-    return;
 }
 
 /// What comes of an obstacle in a move.
@@ -687,7 +687,7 @@ struct Meeting {
     Failure failure;
 };
 
-Meeting undecided(const Failure& failure) {
+Meeting cannot_tell(const Failure& failure) {
     Meeting meeting;
     meeting.what = Meeting::undecided;
     meeting.failure = failure;
@@ -710,7 +710,7 @@ Form off_from(const HeadingForm& x, const HeadingForm& y) {
 Meeting either(const Meeting& a, const Meeting& b) {
     if (a.what == Meeting::undecided) return a;
     if (b.what == Meeting::undecided) return b;
-    if (a.what != b.what) return undecided({});
+    if (a.what != b.what) return cannot_tell({});
     if (a.what != Meeting::contact) return a;
     Meeting both = a;
     both.at.off = hull(a.at.off, off_from(a.at, b.at));
@@ -843,17 +843,17 @@ private:
                             pending = met;
                         }
                         if (!late || (last && met_ != goal && until_contact_)) return pending;
-                        if (last || met_ == goal) return undecided(met.failure);
+                        if (last || met_ == goal) return cannot_tell(met.failure);
                         break;
                     }
                     default:
-                        if (pending.what == Meeting::contact) return undecided(pending.failure);
+                        if (pending.what == Meeting::contact) return cannot_tell(pending.failure);
                         break;
                 }
             } else if (pending.what == Meeting::contact) {
-                return undecided(pending.failure);
+                return cannot_tell(pending.failure);
             }
-            if (last) return pending.what == Meeting::contact ? undecided(pending.failure) : Meeting();
+            if (last) return pending.what == Meeting::contact ? cannot_tell(pending.failure) : Meeting();
             from = to;
             known = failing >= 0 ? same_in(here, obstacle_.stages[next], failing) : -1;
             exact = false;
@@ -954,7 +954,7 @@ private:
                 met.what = Meeting::stuck;
                 return met;
             }
-            return undecided({});
+            return cannot_tell({});
         }
         for (std::size_t i = 0; i < count; ++i) {
             if (!spells[i].told) {
@@ -962,7 +962,7 @@ private:
                 for (std::size_t k = 0; k < count; ++k) {
                     if (spells[k].told && spells[k].count == 0) return {};
                 }
-                Meeting met = undecided(spells[i].failure);
+                Meeting met = cannot_tell(spells[i].failure);
                 met.failure.stage = index;
                 met.failure.grazes = met.failure.grazes && obstacle_.one_condition;
                 return met;
@@ -1000,7 +1000,7 @@ private:
                 met.at = from;  // all hold at the start, for as long as that lasts
                 for (std::size_t i = 0; i < count; ++i) {
                     const Spell& spell = spells[i].spell[static_cast<std::size_t>(at[i])];
-                    if (!spell.to_end && !spells[i].holds_at_start) return undecided(at_root_of(first[i].value));
+                    if (!spell.to_end && !spells[i].holds_at_start) return cannot_tell(at_root_of(first[i].value));
                 }
             }
             bool at_once = !begun;
@@ -1008,7 +1008,7 @@ private:
                 met.at = from;  // all hold at the start, for as long as that lasts
                 for (std::size_t i = 0; i < count; ++i) {
                     const Spell& spell = spells[i].spell[static_cast<std::size_t>(at[i])];
-                    if (!spell.to_end && !spells[i].holds_at_start) return undecided(at_root_of(first[i].value));
+                    if (!spell.to_end && !spells[i].holds_at_start) return cannot_tell(at_root_of(first[i].value));
                 }
             }
             if (begun) {
@@ -1027,7 +1027,7 @@ private:
                 if (spell.to_end) continue;
                 const Form left = difference(met.at, spell.end);
                 if (left.positive()) continue;
-                if (!left.negative()) return undecided(at_root_of(left));
+                if (!left.negative()) return cannot_tell(at_root_of(left));
                 ++at[i];
                 advanced = true;
             }

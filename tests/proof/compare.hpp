@@ -148,7 +148,14 @@ private:
         if (quick == reported(heading) || left_out(heading)) return sample;
         const int right = count(run(fine_, (long double)(heading), limit_));
         if (right == reported(heading)) return sample;
-        if (!decide(fine_, heading, limit_, 1e-13L).certain) {
+        // What the oracle forgives as rounding, the proof takes at its word: an inward start that only just touches.
+        Problem<long double> forgiving = fine_;
+        forgiving.forgiven = 1e-11L;
+        Problem<long double> strict = fine_;
+        strict.forgiven = 1e-17L;
+        const bool brink = count(run(forgiving, (long double)(heading), limit_)) == reported(heading) ||
+                           count(run(strict, (long double)(heading), limit_)) == reported(heading);
+        if (brink || !decide(fine_, heading, limit_, 1e-13L).certain) {
             ++undecided;
             return sample;
         }
