@@ -17,6 +17,8 @@
 #include "snug/max_steer.hpp"
 #include "snug/min_slot.hpp"
 #include "snug/outline.hpp"
+#include "snug/park.hpp"
+#include "snug/place.hpp"
 #include "snug/slot.hpp"
 #include "snug/stepping.hpp"
 #include "snug/trials.hpp"

@@ -1,0 +1,52 @@
+// Park: from any pose, among any obstacles, with the fewest direction changes over all maneuvers, proved.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "snug/answer.hpp"
+#include "snug/car.hpp"
+#include "snug/maneuver.hpp"
+#include "snug/place.hpp"
+
+namespace snug {
+
+/// How far a search has got.
+struct ParkProgress {
+    int lower_bound = 0;                   ///< proved so far
+    std::optional<int> direction_changes;  ///< demonstrated so far
+    double spacing = 0.0;                  ///< of the finest lattice finished [m]; 0 if none is
+    double part = 0.0;                     ///< of the time limit gone, 0 to 1
+};
+
+struct ParkOptions {
+    int max_changes = 200;   ///< direction changes allowed, 0 to 1000
+    double clearance = 0.0;  ///< grows the frame for contacts [m]
+    /// Spacing of the finest lattice the bounds are computed on [m]; 0: an eight-hundredth of the car's length. Coarser ones are
+    /// tried first, and the search ends where the bounds meet.
+    double resolution = 0.0;
+    double time_limit = std::numeric_limits<double>::infinity();  ///< ends with the bounds found so far [s]
+    bool roomiest =
+        true;  ///< look for a maneuver that keeps its distance; otherwise any with that many changes will do
+    /// Told from time to time; returning false ends with the bounds found so far.
+    std::function<bool(const ParkProgress&)> progress = {};
+};
+
+/// Of the maneuver from the start to where the car is parked: arcs and straight lines, none of which meets anything.
+struct ParkAnswer : Answer {
+    bool impossible = false;  ///< no number of direction changes will do: proved
+};
+
+/// The fewest direction changes with which the car parks from where it stands, whatever way it is steered within its limit
+/// and wherever it stops; it may begin forward or backward.
+///
+/// `lower_bound`, `proved` and `impossible` are about all maneuvers during which the middle of the rear axle stays in the
+/// place's region and the heading within 80 degrees of the middle between the heading at the start and the parked one (of
+/// the two ways round the shorter). Nothing is claimed about maneuvers that turn farther. docs/park.md has the proof.
+///
+/// Throws Error when an option is impossible, the start meets an obstacle or lies outside the region, the heading at the start
+/// and the parked one are more than 150 degrees apart, or the region is too large for the spacing.
+ParkAnswer park(const Car& car, const Place& place, const Pose& start, const ParkOptions& options = {});
+
+}  // namespace snug

@@ -1,0 +1,239 @@
+#include "all_maneuvers/inner_sets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "model/angles.hpp"
+
+namespace snug::detail::sets {
+
+namespace {
+
+constexpr double wary = 1e-7;  ///< so much is kept from the ends of intervals: sums are rounded [m]
+constexpr std::uint32_t not_measured = 0xFFFFFFFF;
+constexpr std::size_t most_intervals = 4;  ///< at a node; more are of no use
+
+/// Overlapping ones become one, of many the longest are kept.
+void tidy(std::vector<Interval>& intervals) {
+    if (intervals.size() < 2) return;
+    std::sort(intervals.begin(), intervals.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < intervals.size(); ++i) {
+        if (intervals[i].low <= intervals[last].high) {
+            intervals[last].high = std::max(intervals[last].high, intervals[i].high);
+        } else {
+            intervals[++last] = intervals[i];
+        }
+    }
+    intervals.resize(last + 1);
+    if (intervals.size() > most_intervals) {
+        std::sort(intervals.begin(), intervals.end(),
+                  [](const Interval& a, const Interval& b) { return a.high - a.low > b.high - b.low; });
+        intervals.resize(most_intervals);
+    }
+}
+
+}  // namespace
+
+InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const Layer& cells, const Watching& watch)
+    : h_(h),
+      radius_(place.radius),
+      sine_step_(h / (2.0 * place.radius)),
+      start_(place.start),
+      start_sine_(angles::sin(place.start.heading)),
+      cells_(&cells) {
+    offset_ = static_cast<int>(std::floor(h0 / 3.0 / h));
+    // A node in row s lies in a cell of row s + 2 offset and the same column.
+    Spans spans;
+    spans.first = cells.spans.first - 2 * offset_;
+    int last_column = 0;
+    for (Span span : cells.spans.rows) {
+        const int row = spans.first + static_cast<int>(spans.rows.size());
+        while (!span.empty() && sine(column_of(row, span.from)) < -steepest_sine) ++span.from;
+        while (!span.empty() && sine(column_of(row, span.to)) > steepest_sine) --span.to;
+        spans.rows.push_back(span);
+        if (span.empty()) continue;
+        first_column_ = std::min(first_column_, column_of(row, span.from));
+        last_column = std::max(last_column, column_of(row, span.to));
+    }
+    spans.store();
+    first_column_ -= 2;
+    last_column += 2;
+    for (int d = first_column_; d <= last_column; ++d) {
+        const double s = std::clamp(sine(d), -1.0, 1.0);
+        level_.push_back(radius_ * std::sqrt((1.0 - s) * (1.0 + s)));
+        columns_.push_back(bands_at(place, s));
+        watch();
+    }
+    free_.spans = parked_.spans = spans;
+    free_.of.assign(spans.cells, {0, not_measured});
+    parked_.of.resize(spans.cells);
+    for (int d = first_column_; d <= last_column; ++d) {
+        const Band& band = columns_[static_cast<std::size_t>(d - first_column_)].parked;
+        if (!(band.from <= band.to)) continue;
+        const int first = std::max(spans.first, static_cast<int>(std::floor((band.from - start_.x) / (h_ / 2.0))));
+        const int last = std::min(spans.last(), static_cast<int>(std::ceil((band.to - start_.x) / (h_ / 2.0))));
+        for (int row = first + ((first ^ d) & 1); row <= last; row += 2) {
+            const Span span = spans.of(row);
+            const int cell = cell_of(d);
+            if (cell < span.from || cell > span.to) continue;
+            double low = 0.0, high = 0.0;
+            band.at(x(row), low, high);
+            if (low > high) continue;
+            const InnerSet::Few few = measured(row, span, cell);
+            InnerSet::Few& mine = parked_.of[span.at(cell)];
+            mine.begin = static_cast<std::uint32_t>(parked_.intervals.size());
+            for (std::uint32_t i = 0; i < few.count; ++i) {
+                const Interval& free = free_.intervals[few.begin + i];
+                const Interval both = {std::max(low, free.low) + wary, std::min(high, free.high) - wary};
+                if (both.low > both.high) continue;
+                parked_.intervals.push_back(both);
+                ++mine.count;
+            }
+        }
+    }
+}
+
+InnerSet::Few InnerLattice::measured(int row, const Span& span, int cell) {
+    InnerSet::Few& few = free_.of[span.at(cell)];
+    if (few.count != not_measured) return few;
+    few = {static_cast<std::uint32_t>(free_.intervals.size()), 0};
+    const std::size_t outer = cells_->spans.of(row + 2 * offset_).at(cell);
+    if (cells_->low[outer] > cells_->high[outer]) return few;
+    const Bands& bands = columns_[static_cast<std::size_t>(column_of(row, cell) - first_column_)];
+    const double here = x(row);
+    double low = 0.0, high = 0.0;
+    bands.region.at(here, low, high);
+    low = std::max(low, cells_->low[outer] * micro);
+    high = std::min(high, cells_->high[outer] * micro);
+    if (low > high) return few;
+    taken_.clear();
+    for (const Band& solid : bands.solids) {
+        if (here < solid.from || here > solid.to) continue;
+        double from_y = 0.0, to_y = 0.0;
+        solid.at(here, from_y, to_y);
+        if (from_y < to_y && to_y > low && from_y < high) taken_.push_back({from_y, to_y});
+    }
+    std::sort(taken_.begin(), taken_.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+    const auto add = [&](double from_y, double to_y) {
+        if (from_y + wary > to_y - wary) return;
+        free_.intervals.push_back({from_y + wary, to_y - wary});
+        ++few.count;
+    };
+    double begin = low;
+    for (const Interval& interval : taken_) {
+        if (interval.low > begin) add(begin, interval.low);
+        begin = std::max(begin, interval.high);
+    }
+    if (begin < high) add(begin, high);
+    return few;
+}
+
+InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direction direction, const Watching& watch) {
+    InnerSet set;
+    int first_row = 0, last_row = -1;
+    for (const Layer& layer : limits) {
+        if (layer.spans.rows.empty()) continue;
+        first_row = first_row > last_row ? layer.spans.first : std::min(first_row, layer.spans.first);
+        last_row = std::max(last_row, layer.spans.last());
+    }
+    set.spans.first = first_row - 2 * offset_;
+    for (int row = first_row; row <= last_row; ++row) {
+        Span mine;
+        for (const Layer& layer : limits) {
+            const Span span = layer.spans.of(row);
+            if (span.empty()) continue;
+            mine.from = mine.empty() ? span.from : std::min(mine.from, span.from);
+            mine.to = std::max(mine.to, span.to);
+        }
+        const Span free = free_.spans.of(row - 2 * offset_);
+        mine.from = std::max(mine.from, free.from);
+        mine.to = std::min(mine.to, free.to);
+        set.spans.rows.push_back(mine);
+    }
+    set.spans.store();
+    set.of.resize(set.spans.cells);
+    const bool forward = direction == Direction::forward;
+    const int step = forward ? 1 : -1;
+    std::vector<Interval> found, rooms, clipped;
+    Span live, live_before, live_before_that;  // what was reached in this row and in those before
+    for (int n = 0; n <= last_row - first_row; ++n) {
+        const int row = forward ? set.spans.first + n : set.spans.last() - n;
+        if (n % 64 == 0) watch();
+        const Span span = set.spans.of(row), begin_span = starts.spans.of(row), free_span = free_.spans.of(row);
+        const Span before = set.spans.of(row - step), before_that = set.spans.of(row - 2 * step);
+        const Span free_before = free_.spans.of(row - step);
+        live_before_that = live_before;
+        live_before = live;
+        live = {};
+        // Cells that anything leads to.
+        Span led = begin_span;
+        const auto cover = [&](const Span& other) {
+            led = led.empty() ? other : Span{std::min(led.from, other.from), std::max(led.to, other.to), 0};
+        };
+        if (!live_before.empty()) cover({live_before.from - 1, live_before.to + 1, 0});
+        if (!live_before_that.empty()) cover(live_before_that);
+        for (int cell = std::max(span.from, led.from); cell <= std::min(span.to, led.to); ++cell) {
+            const int d = column_of(row, cell);
+            const int left = cell_of(d - 1), right = cell_of(d + 1);
+            const InnerSet::Range begins = starts.at(begin_span, cell), from_before_that = set.at(before_that, cell);
+            const InnerSet::Range lefts = set.at(before, left), rights = set.at(before, right);
+            if (begins.empty() && lefts.empty() && rights.empty() && from_before_that.empty()) continue;
+            ++updates;
+            found.clear();
+            for (const Interval& begin : begins) found.push_back(begin);
+            // From the column to the left the car keeps y + r cos forward, from the right y - r cos; backward the reverse.
+            const double from_left = step * (level(d - 1) - level(d)), from_right = step * (level(d) - level(d + 1));
+            for (const Interval& from : lefts) found.push_back({from.low + from_left, from.high + from_left});
+            for (const Interval& from : rights) found.push_back({from.low + from_right, from.high + from_right});
+            // Across a cell: by way of one side, of the other, or turning off in between, where both are free.
+            if (!from_before_that.empty() && left >= free_before.from && right <= free_before.to) {
+                const double least = 2.0 * std::min(from_left, from_right),
+                             most = 2.0 * std::max(from_left, from_right);
+                const InnerSet::Few ones = measured(row - step, free_before, left),
+                                    others = measured(row - step, free_before, right);
+                for (const Interval& from : from_before_that) {
+                    for (std::uint32_t i = ones.begin; i < ones.begin + ones.count; ++i) {
+                        for (std::uint32_t j = others.begin; j < others.begin + others.count; ++j) {
+                            const Interval &one = free_.intervals[i], &other = free_.intervals[j];
+                            const double low = std::max({from.low, one.low - from_left, other.low - from_right});
+                            const double high = std::min({from.high, one.high - from_left, other.high - from_right});
+                            if (low <= high) found.push_back({low + least, high + most});
+                        }
+                    }
+                }
+            }
+            if (found.empty()) continue;
+            const InnerSet::Few free = measured(row, free_span, cell);
+            rooms.clear();
+            for (const Layer& layer : limits) {
+                const Span cells = layer.spans.of(row + 2 * offset_);
+                if (cell < cells.from || cell > cells.to) continue;
+                const double low = layer.low[cells.at(cell)] * micro, high = layer.high[cells.at(cell)] * micro;
+                for (std::uint32_t i = free.begin; i < free.begin + free.count; ++i) {
+                    const Interval both = {std::max(low, free_.intervals[i].low),
+                                           std::min(high, free_.intervals[i].high)};
+                    if (both.low <= both.high) rooms.push_back(both);
+                }
+            }
+            clipped.clear();
+            for (const Interval& interval : found) {
+                for (const Interval& room : rooms) {
+                    const Interval both = {std::max(interval.low, room.low), std::min(interval.high, room.high)};
+                    if (both.low <= both.high) clipped.push_back(both);
+                }
+            }
+            if (clipped.empty()) continue;
+            tidy(clipped);
+            set.of[span.at(cell)] = {static_cast<std::uint32_t>(set.intervals.size()),
+                                     static_cast<std::uint32_t>(clipped.size())};
+            set.intervals.insert(set.intervals.end(), clipped.begin(), clipped.end());
+            if (live.empty()) live.from = cell;
+            live.to = cell;
+        }
+    }
+    return set;
+}
+
+}  // namespace snug::detail::sets

@@ -1,0 +1,579 @@
+#include "all_maneuvers/outer_sets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "all_maneuvers/set_sweep.hpp"
+#include "model/angles.hpp"
+
+namespace snug::detail::sets {
+
+namespace {
+
+constexpr std::size_t most_layers = 6;  ///< of a cell; where there are more, the nearest are taken together
+constexpr Micro coarse_grid = 512;      ///< to which direction changes are rounded: 0.12 mm
+
+Micro rounded_up(double metres) { return static_cast<Micro>(std::ceil(metres / micro + 1e-3)); }
+Micro rounded_down(double metres) { return static_cast<Micro>(std::floor(metres / micro - 1e-3)); }
+
+double cosine_of(double sine) { return std::sqrt((1.0 - sine) * (1.0 + sine)); }
+double clamped(double sine) { return std::clamp(sine, -steepest_sine, steepest_sine); }
+double tangent_of(double sine) { return sine / cosine_of(sine); }
+
+}  // namespace
+
+void Spans::store() {
+    cells = 0;
+    for (Span& span : rows) {
+        span.begin = cells;
+        if (!span.empty()) cells += static_cast<std::size_t>(span.to - span.from) + 1;
+    }
+}
+
+Layer hull(const std::vector<const Limits*>& several) {
+    Layer all;
+    int first = 0, last = -1;
+    for (const Limits* limits : several) {
+        for (const Layer& layer : *limits) {
+            if (layer.spans.rows.empty()) continue;
+            if (first > last) {
+                first = layer.spans.first;
+                last = layer.spans.last();
+            }
+            first = std::min(first, layer.spans.first);
+            last = std::max(last, layer.spans.last());
+        }
+    }
+    all.spans.first = first;
+    all.spans.rows.resize(static_cast<std::size_t>(last - first) + 1);
+    const auto each = [&](auto&& act) {
+        for (const Limits* limits : several)
+            for (const Layer& layer : *limits)
+                for (int row = layer.spans.first; row <= layer.spans.last(); ++row)
+                    if (const Span span = layer.spans.of(row); !span.empty()) act(layer, row, span);
+    };
+    each([&](const Layer&, int row, const Span& span) {
+        Span& mine = all.spans.rows[static_cast<std::size_t>(row - first)];
+        if (mine.empty()) {
+            mine = span;
+        } else {
+            mine.from = std::min(mine.from, span.from);
+            mine.to = std::max(mine.to, span.to);
+        }
+    });
+    all.spans.store();
+    all.low.assign(all.spans.cells + vector_padding, nowhere);
+    all.high.assign(all.spans.cells + vector_padding, -nowhere);
+    each([&](const Layer& layer, int row, const Span& span) {
+        const Span mine = all.spans.of(row);
+        for (int cell = span.from; cell <= span.to; ++cell) {
+            const std::size_t i = mine.at(cell);
+            all.low[i] = std::min(all.low[i], layer.low[span.at(cell)]);
+            all.high[i] = std::max(all.high[i], layer.high[span.at(cell)]);
+        }
+    });
+    return all;
+}
+
+OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch)
+    : h_(h), radius_(place.radius), sine_step_(h / (2.0 * place.radius)), start_(place.start) {
+    x0_ = place.start.x - h0 / 3.0 + h / 2.0;
+    sine0_ = angles::sin(place.start.heading);
+    first_column_ = static_cast<int>(std::floor((-steepest_sine - sine0_) / sine_step_ - 1.0)) - 1;
+    last_column_ = static_cast<int>(std::ceil((steepest_sine - sine0_) / sine_step_ + 1.0)) + 1;
+    number_columns();
+    measure(place, coarser, watch);
+}
+
+void OuterLattice::number_columns() {
+    const double r = radius_;
+    // Bounds of one direction, forward: backward is the mirror image, in which the sine changes its sign.
+    const auto up = [&](double sine) {
+        const double low = sine - sine_step_, high = sine + sine_step_;
+        const double gain = h_ * tangent_of(clamped(high));
+        if (low < -steepest_sine || high > steepest_sine) {
+            const double steep = std::max(std::abs(clamped(low)), std::abs(clamped(high)));
+            return std::max(0.0, gain) - r * cosine_of(steep);
+        }
+        const double c = cosine_of(sine), u = cosine_of(high), v = cosine_of(low);
+        return std::max(-r * std::min(c, u), gain - r * std::min(v, c));
+    };
+    // Most of r cos - (a - a_i) T_hi.
+    const auto z_high = [&](double sine) {
+        const double high = clamped(sine + sine_step_);
+        const double tangent = tangent_of(high);
+        if (tangent >= 0.0) {
+            const double middle = clamped(sine);
+            return r * (middle <= 0.0 && high >= 0.0 ? 1.0 : std::max(cosine_of(middle), cosine_of(high)));
+        }
+        // Then b = b_j + h is best, and along that edge the place where the tangent is twice as steep.
+        const double level = 2.0 * tangent / std::sqrt(1.0 + 4.0 * tangent * tangent);
+        const double best = std::clamp(level, clamped(sine), high);
+        return r * cosine_of(best) - 2.0 * r * (high - best) * tangent;
+    };
+    const auto apart = [&](double sine) {
+        const double low = sine - sine_step_, high = sine + sine_step_;
+        const double t_low = h_ * tangent_of(clamped(low)), t_high = h_ * tangent_of(clamped(high));
+        if (low < -steepest_sine || high > steepest_sine) {
+            const double steep = std::max(std::abs(clamped(low)), std::abs(clamped(high)));
+            return 2.0 * r * cosine_of(steep) + std::min(0.0, t_low) - std::max(0.0, t_high);
+        }
+        const double c = 2.0 * r * cosine_of(sine), u = 2.0 * r * cosine_of(high), v = 2.0 * r * cosine_of(low);
+        return std::min(std::min(c, v - t_high), std::min(u + t_low, c + t_low - t_high));
+    };
+    const auto t_high = [&](int d) { return tangent_of(clamped(sine(d + 1))); };
+    const auto t_low = [&](int d) { return tangent_of(clamped(sine(d - 1))); };
+    const int first = cell_of(first_column_), last = cell_of(last_column_);
+    const auto fill = [&](ColumnNumbers& numbers, auto&& value) {
+        numbers.first_cell = first;
+        for (int parity : {0, 1}) {
+            for (int cell = first; cell <= last; ++cell) numbers.of[parity].push_back(value(2 * cell + parity));
+            numbers.of[parity].resize(numbers.of[parity].size() + vector_padding, 0);
+        }
+    };
+    fill(apart_, [&](int d) { return rounded_down(apart(sine(d))); });
+    fill(forward_.up, [&](int d) { return rounded_up(up(sine(d))); });
+    fill(forward_.down, [&](int d) { return -rounded_up(up(-sine(d))); });
+    fill(forward_.z_high, [&](int d) { return rounded_up(z_high(sine(d))); });
+    fill(forward_.w_low, [&](int d) { return rounded_up(z_high(-sine(d))); });
+    fill(forward_.from_left, [&](int d) { return rounded_down(h_ * t_low(d - 1)); });
+    fill(forward_.from_right, [&](int d) { return rounded_up(h_ * t_high(d + 1)); });
+    fill(forward_.turn_z, [&](int d) { return rounded_up(-h_ * t_low(d)); });
+    fill(forward_.turn_w, [&](int d) { return rounded_down(-h_ * t_high(d)); });
+    fill(backward_.up, [&](int d) { return rounded_up(up(-sine(d))); });
+    fill(backward_.down, [&](int d) { return -rounded_up(up(sine(d))); });
+    fill(backward_.z_high, [&](int d) { return rounded_up(z_high(-sine(d))); });
+    fill(backward_.w_low, [&](int d) { return rounded_up(z_high(sine(d))); });
+    fill(backward_.from_left, [&](int d) { return rounded_up(-h_ * t_low(d - 1)); });
+    fill(backward_.from_right, [&](int d) { return rounded_down(-h_ * t_high(d + 1)); });
+    fill(backward_.turn_z, [&](int d) { return rounded_up(h_ * t_high(d)); });
+    fill(backward_.turn_w, [&](int d) { return rounded_down(h_ * t_low(d)); });
+}
+
+void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const Watching& watch) {
+    struct Interval {
+        double low, high;
+    };
+    // Columns that have a heading of the chart in them.
+    int first_column = first_column_, last_column = last_column_;
+    while (sine(first_column) + sine_step_ < -steepest_sine) ++first_column;
+    while (sine(last_column) - sine_step_ > steepest_sine) --last_column;
+    std::vector<Bands> columns;
+    for (int d = first_column; d <= last_column; ++d) {
+        columns.push_back(bands_of_cell(place, sine(d), h_));
+        watch();
+    }
+    int first_row = static_cast<int>(std::floor((place.x_min - h_ - x0_) / (h_ / 2.0)));
+    int last_row = static_cast<int>(std::ceil((place.x_max + h_ - x0_) / (h_ / 2.0)));
+    if (coarser) {
+        if (coarser->spans.rows.empty()) last_row = first_row - 1;
+        first_row = std::max(first_row, 2 * coarser->spans.first);
+        last_row = std::min(last_row, 2 * coarser->spans.last() + 2);
+    }
+    struct Found {
+        int row, cell;
+        bool parked;
+        Micro low, high;
+    };
+    std::vector<Found> found[most_layers], found_parked[most_layers];
+    std::vector<Interval> taken, gaps;
+    for (int row = first_row; row <= last_row; ++row) {
+        watch();
+        int from = first_column, to = last_column;
+        if (coarser) {
+            // Children of parent (S, D): columns 2 D in rows 2 S and 2 S + 2, columns 2 D - 1 and 2 D + 1 in row 2 S + 1.
+            int least = to + 1, most = from - 1;
+            const auto parents = [&](int parent_row, int beside) {
+                const Span span = coarser->spans.of(parent_row);
+                if (span.empty()) return;
+                least = std::min(least, 2 * column_of(parent_row, span.from) - beside);
+                most = std::max(most, 2 * column_of(parent_row, span.to) + beside);
+            };
+            if ((row & 1) == 0) {
+                parents(row / 2, 0);
+                parents(row / 2 - 1, 0);
+            } else {
+                parents((row - 1) >> 1, 1);
+            }
+            from = std::max(from, least);
+            to = std::min(to, most);
+        }
+        if (((from ^ row) & 1) != 0) ++from;
+        const double here = x(row);
+        for (int d = from; d <= to; d += 2) {
+            double below = -farthest_y, above = farthest_y;
+            if (coarser) {
+                const int i = ((row - d) / 2) >> 1, j = ((row + d) / 2) >> 1;
+                const Span span = coarser->spans.of(i + j);
+                const int cell = cell_of(j - i);
+                if (cell < span.from || cell > span.to) continue;
+                below = coarser->low[span.at(cell)] * micro;
+                above = coarser->high[span.at(cell)] * micro;
+            }
+            const Bands& bands = columns[static_cast<std::size_t>(d - first_column)];
+            double low = 0.0, high = 0.0;
+            bands.region.at(here, low, high);
+            low = std::max(low, below);
+            high = std::min(high, above);
+            if (low > high) continue;
+            taken.clear();
+            for (const Band& solid : bands.solids) {
+                if (here < solid.from || here > solid.to) continue;
+                double from_y = 0.0, to_y = 0.0;
+                solid.at(here, from_y, to_y);
+                if (from_y < to_y && to_y > low && from_y < high) taken.push_back({from_y, to_y});
+            }
+            std::sort(taken.begin(), taken.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+            gaps.clear();
+            double begin = low;
+            for (const Interval& interval : taken) {
+                if (interval.low >= begin) gaps.push_back({begin, interval.low});
+                begin = std::max(begin, interval.high);
+            }
+            if (begin <= high) gaps.push_back({begin, high});
+            while (gaps.size() > most_layers) {
+                std::size_t nearest = 0;
+                for (std::size_t k = 1; k + 1 < gaps.size(); ++k)
+                    if (gaps[k + 1].low - gaps[k].high < gaps[nearest + 1].low - gaps[nearest].high) nearest = k;
+                gaps[nearest].high = gaps[nearest + 1].high;
+                gaps.erase(gaps.begin() + static_cast<std::ptrdiff_t>(nearest) + 1);
+            }
+            std::sort(gaps.begin(), gaps.end(),
+                      [](const Interval& a, const Interval& b) { return a.high - a.low > b.high - b.low; });
+            double parked_low = 0.0, parked_high = 0.0;
+            bands.parked.at(here, parked_low, parked_high);
+            for (std::size_t k = 0; k < gaps.size(); ++k) {
+                found[k].push_back({row, cell_of(d), false, rounded_down(gaps[k].low), rounded_up(gaps[k].high)});
+                const double from_y = std::max(parked_low, gaps[k].low), to_y = std::min(parked_high, gaps[k].high);
+                if (from_y <= to_y)
+                    found_parked[k].push_back({row, cell_of(d), true, rounded_down(from_y), rounded_up(to_y)});
+            }
+        }
+    }
+    const auto layered = [](const std::vector<Found>& cells) {
+        Layer layer;
+        if (!cells.empty()) {
+            layer.spans.first = cells.front().row;
+            layer.spans.rows.resize(static_cast<std::size_t>(cells.back().row - cells.front().row) + 1);
+        }
+        for (const Found& cell : cells) {
+            Span& span = layer.spans.rows[static_cast<std::size_t>(cell.row - layer.spans.first)];
+            if (span.empty()) span.from = cell.cell;
+            span.to = cell.cell;
+        }
+        layer.spans.store();
+        layer.low.assign(layer.spans.cells + vector_padding, nowhere);
+        layer.high.assign(layer.spans.cells + vector_padding, -nowhere);
+        for (const Found& cell : cells) {
+            const std::size_t i = layer.spans.of(cell.row).at(cell.cell);
+            layer.low[i] = cell.low;
+            layer.high[i] = cell.high;
+        }
+        return layer;
+    };
+    for (std::size_t k = 0; k < most_layers && !found[k].empty(); ++k) {
+        free_.push_back(layered(found[k]));
+        parked_.push_back(layered(found_parked[k]));
+    }
+}
+
+Limits OuterLattice::clipped(const Limits& coarser) const {
+    Limits limits;
+    for (const Layer& layer : free_) {
+        Layer mine;
+        mine.spans = layer.spans;
+        mine.low.assign(layer.low.size(), nowhere);
+        mine.high.assign(layer.high.size(), -nowhere);
+        for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
+            const Span span = layer.spans.of(row);
+            for (int cell = span.from; cell <= span.to; ++cell) {
+                const std::size_t at = span.at(cell);
+                if (layer.low[at] > layer.high[at]) continue;
+                const int d = column_of(row, cell);
+                const int i = ((row - d) / 2) >> 1, j = ((row + d) / 2) >> 1;
+                for (const Layer& parent : coarser) {
+                    const Span parents = parent.spans.of(i + j);
+                    const int parent_cell = cell_of(j - i);
+                    if (parent_cell < parents.from || parent_cell > parents.to) continue;
+                    const Micro low = std::max(layer.low[at], parent.low[parents.at(parent_cell)]);
+                    const Micro high = std::min(layer.high[at], parent.high[parents.at(parent_cell)]);
+                    if (low > high) continue;
+                    mine.low[at] = std::min(mine.low[at], low);
+                    mine.high[at] = std::max(mine.high[at], high);
+                }
+            }
+        }
+        limits.push_back(std::move(mine));
+    }
+    return trimmed(limits);
+}
+
+Limits trimmed(const Limits& limits) {
+    Limits all;
+    for (const Layer& layer : limits) {
+        Layer mine;
+        int first = 0, last = -1;
+        std::vector<Span> spans;
+        for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
+            const Span span = layer.spans.of(row);
+            Span live;
+            for (int cell = span.from; cell <= span.to; ++cell) {
+                if (layer.low[span.at(cell)] > layer.high[span.at(cell)]) continue;
+                if (live.empty()) live.from = cell;
+                live.to = cell;
+            }
+            if (!live.empty()) {
+                if (first > last) first = row;
+                last = row;
+            }
+            spans.push_back(live);
+        }
+        if (first <= last) {
+            mine.spans.first = first;
+            mine.spans.rows.assign(spans.begin() + (first - layer.spans.first),
+                                   spans.begin() + (last - layer.spans.first) + 1);
+        }
+        mine.spans.store();
+        mine.low.assign(mine.spans.cells + vector_padding, nowhere);
+        mine.high.assign(mine.spans.cells + vector_padding, -nowhere);
+        for (int row = first; row <= last; ++row) {
+            const Span from = layer.spans.of(row), to = mine.spans.of(row);
+            for (int cell = to.from; cell <= to.to; ++cell) {
+                mine.low[to.at(cell)] = layer.low[from.at(cell)];
+                mine.high[to.at(cell)] = layer.high[from.at(cell)];
+            }
+        }
+        all.push_back(std::move(mine));
+    }
+    return all;
+}
+
+Pairs OuterLattice::none(const Limits& limits) const {
+    Pairs pairs;
+    for (const Layer& layer : limits) {
+        pairs.layers.push_back({std::vector<Micro>(layer.spans.cells + vector_padding, -nowhere),
+                                std::vector<Micro>(layer.spans.cells + vector_padding, nowhere)});
+    }
+    return pairs;
+}
+
+namespace {
+
+/// What a stretch of a layer's row takes things in with.
+template <class Numbers>
+Taking taking_of(Pairs::Of& pairs, const Layer& layer, const Span& span, const Numbers& numbers,
+                 const ColumnNumbers& apart, int row, int cell) {
+    const std::size_t at = span.at(cell);
+    return {pairs.z.data() + at,          pairs.w.data() + at,         layer.low.data() + at,
+            layer.high.data() + at,       numbers.up.at(row, cell),    numbers.down.at(row, cell),
+            numbers.z_high.at(row, cell), numbers.w_low.at(row, cell), apart.at(row, cell)};
+}
+
+}  // namespace
+
+Pairs OuterLattice::begin(const Limits& places, const Limits& limits, Direction direction) const {
+    Pairs pairs = none(limits);
+    const Numbers& of = numbers(direction);
+    std::vector<Micro> z, w;
+    for (const Layer& from : places) {
+        for (int row = from.spans.first; row <= from.spans.last(); ++row) {
+            const Span given = from.spans.of(row);
+            if (given.empty()) continue;
+            z.assign(static_cast<std::size_t>(given.to - given.from) + 1 + vector_padding, -nowhere);
+            w.assign(z.size(), nowhere);
+            for (int cell = given.from; cell <= given.to; ++cell) {
+                const std::size_t at = given.at(cell);
+                if (from.low[at] > from.high[at]) continue;
+                z[static_cast<std::size_t>(cell - given.from)] = from.high[at] + *of.z_high.at(row, cell);
+                w[static_cast<std::size_t>(cell - given.from)] = from.low[at] - *of.w_low.at(row, cell);
+            }
+            for (std::size_t k = 0; k < limits.size(); ++k) {
+                const Span mine = limits[k].spans.of(row);
+                const int first = std::max(mine.from, given.from), last = std::min(mine.to, given.to);
+                if (first > last) continue;
+                const auto skip = static_cast<std::size_t>(first - given.from);
+                take_in(taking_of(pairs.layers[k], limits[k], mine, of, apart_, row, first),
+                        {z.data() + skip, w.data() + skip, nullptr, nullptr},
+                        static_cast<std::size_t>(last - first) + 1);
+            }
+        }
+    }
+    return pairs;
+}
+
+OuterLattice::Place OuterLattice::place_of(const Pose& pose, Direction direction) const {
+    const double sine = angles::sin(pose.heading), across = radius_ * sine;
+    const double a = pose.x - across, b = pose.x + across;
+    const double a0 = x0_ - radius_ * sine0_ - h_ / 2.0, b0 = x0_ + radius_ * sine0_ - h_ / 2.0;
+    const int i = static_cast<int>(std::floor((a - a0) / h_)), j = static_cast<int>(std::floor((b - b0) / h_));
+    const int d = j - i;
+    const double in_a = a - a0 - i * h_, in_b = b - b0 - j * h_;
+    const double t_high = tangent_of(clamped(this->sine(d + 1))), t_low = tangent_of(clamped(this->sine(d - 1)));
+    const double level = radius_ * cosine_of(sine);
+    if (direction == Direction::forward) return {i + j, d, in_a * t_high - level, in_b * t_low + level};
+    return {i + j, d, (in_a - h_) * t_low - level, (in_b - h_) * t_high + level};
+}
+
+Pairs OuterLattice::begin_at_start(const Limits& limits, Direction direction) const {
+    Pairs pairs = none(limits);
+    const Place at = place_of(start_, direction);
+    const int cell = cell_of(at.column);
+    std::vector<Micro> z(1 + vector_padding, -nowhere), w(1 + vector_padding, nowhere);
+    z[0] = rounded_up(start_.y - at.up + 1e-9);
+    w[0] = rounded_down(start_.y - at.down - 1e-9);
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+        const Span mine = limits[k].spans.of(at.row);
+        if (cell < mine.from || cell > mine.to) continue;
+        take_in(taking_of(pairs.layers[k], limits[k], mine, numbers(direction), apart_, at.row, cell),
+                {z.data(), w.data(), nullptr, nullptr}, 1);
+    }
+    return pairs;
+}
+
+bool OuterLattice::holds(const Pairs& pairs, const Limits& limits, Direction direction, const Pose& pose) const {
+    const Place at = place_of(pose, direction);
+    const int cell = cell_of(at.column);
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+        const Span mine = limits[k].spans.of(at.row);
+        if (cell < mine.from || cell > mine.to) continue;
+        const Micro z = pairs.layers[k].z[mine.at(cell)], w = pairs.layers[k].w[mine.at(cell)];
+        if (z == -nowhere) continue;
+        if (pose.y <= z * micro + at.up + 1e-6 && pose.y >= w * micro + at.down - 1e-6) return true;
+    }
+    return false;
+}
+
+Pairs OuterLattice::turn(const Pairs& before, const Limits& limits_before, const Limits& limits,
+                         Direction direction) const {
+    Pairs pairs = none(limits);
+    const Numbers& of = numbers(direction);
+    std::vector<Micro> z, w;
+    for (std::size_t m = 0; m < limits_before.size(); ++m) {
+        const Layer& from = limits_before[m];
+        for (int row = from.spans.first; row <= from.spans.last(); ++row) {
+            const Span given = from.spans.of(row);
+            if (given.empty()) continue;
+            const auto count = static_cast<std::size_t>(given.to - given.from) + 1;
+            z.assign(count + vector_padding, -nowhere);
+            w.assign(count + vector_padding, nowhere);
+            const Micro *old_z = before.layers[m].z.data() + given.begin,
+                        *old_w = before.layers[m].w.data() + given.begin;
+            const Micro *more_z = of.turn_z.at(row, given.from), *more_w = of.turn_w.at(row, given.from);
+            for (std::size_t i = 0; i < count; ++i) {
+                z[i] = (old_z[i] + more_z[i] + (coarse_grid - 1)) & ~(coarse_grid - 1);
+                w[i] = (old_w[i] + more_w[i]) & ~(coarse_grid - 1);
+            }
+            for (std::size_t k = 0; k < limits.size(); ++k) {
+                const Span mine = limits[k].spans.of(row);
+                const int first = std::max(mine.from, given.from), last = std::min(mine.to, given.to);
+                if (first > last) continue;
+                const auto skip = static_cast<std::size_t>(first - given.from);
+                take_in(taking_of(pairs.layers[k], limits[k], mine, of, apart_, row, first),
+                        {z.data() + skip, w.data() + skip, nullptr, nullptr},
+                        static_cast<std::size_t>(last - first) + 1);
+            }
+        }
+    }
+    return pairs;
+}
+
+void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch) const {
+    const Numbers& of = numbers(direction);
+    const bool forward = direction == Direction::forward;
+    int first_row = 0, last_row = -1;
+    for (const Layer& layer : limits) {
+        if (layer.spans.rows.empty()) continue;
+        if (first_row > last_row) {
+            first_row = layer.spans.first;
+            last_row = layer.spans.last();
+        }
+        first_row = std::min(first_row, layer.spans.first);
+        last_row = std::max(last_row, layer.spans.last());
+    }
+    // The row before, at full width, with nothing around what was reached in it.
+    const int first_cell = cell_of(first_column_) - 1;
+    const auto width = static_cast<std::size_t>(cell_of(last_column_) + 2 - first_cell) + vector_padding;
+    struct Before {
+        std::vector<Micro> z, w;
+        Span live;
+    };
+    std::vector<Before> before(limits.size());
+    for (Before& row : before) {
+        row.z.assign(width, -nowhere);
+        row.w.assign(width, nowhere);
+    }
+    for (int n = 0; n <= last_row - first_row; ++n) {
+        const int row = forward ? first_row + n : last_row - n;
+        if (n % 64 == 0) watch();
+        for (std::size_t k = 0; k < limits.size(); ++k) {
+            const Span mine = limits[k].spans.of(row);
+            if (mine.empty()) continue;
+            for (std::size_t m = 0; m < limits.size(); ++m) {
+                if (before[m].live.empty()) continue;
+                // The column to the left, d - 1, is the cell before in even rows, the column to the right that after in odd ones.
+                const int left = (row & 1) == 0 ? -1 : 0;
+                for (const int beside : {left, left + 1}) {
+                    const int first = std::max(mine.from, before[m].live.from - beside);
+                    const int last = std::min(mine.to, before[m].live.to - beside);
+                    if (first > last) continue;
+                    const auto skip = static_cast<std::size_t>(first + beside - first_cell);
+                    const Micro* gain = (beside == left ? of.from_left : of.from_right).at(row, first);
+                    const bool gains_z = forward == (beside != left);
+                    const auto count = static_cast<std::size_t>(last - first) + 1;
+                    take_in(taking_of(pairs.layers[k], limits[k], mine, of, apart_, row, first),
+                            {before[m].z.data() + skip, before[m].w.data() + skip, gains_z ? gain : nullptr,
+                             gains_z ? nullptr : gain},
+                            count);
+                    updates += count;
+                }
+            }
+        }
+        for (std::size_t k = 0; k < limits.size(); ++k) {
+            Before& mine = before[k];
+            if (!mine.live.empty()) {
+                const auto from = static_cast<std::ptrdiff_t>(mine.live.from - first_cell);
+                const auto count = static_cast<std::ptrdiff_t>(mine.live.to - mine.live.from) + 1;
+                std::fill_n(mine.z.begin() + from, count, -nowhere);
+                std::fill_n(mine.w.begin() + from, count, nowhere);
+            }
+            const Span span = limits[k].spans.of(row);
+            mine.live = span;
+            const Pairs::Of& now = pairs.layers[k];
+            while (!mine.live.empty() && now.z[span.at(mine.live.from)] == -nowhere) ++mine.live.from;
+            while (!mine.live.empty() && now.z[span.at(mine.live.to)] == -nowhere) --mine.live.to;
+            if (mine.live.empty()) continue;
+            const auto from = static_cast<std::ptrdiff_t>(span.at(mine.live.from));
+            const auto count = static_cast<std::ptrdiff_t>(mine.live.to - mine.live.from) + 1;
+            std::copy_n(now.z.begin() + from, count, mine.z.begin() + (mine.live.from - first_cell));
+            std::copy_n(now.w.begin() + from, count, mine.w.begin() + (mine.live.from - first_cell));
+        }
+    }
+}
+
+Limits OuterLattice::common(const Pairs& one, Direction direction, const Pairs& other, const Limits& limits) const {
+    const Numbers& of = numbers(direction);
+    const Numbers& of_other = numbers(direction == Direction::forward ? Direction::backward : Direction::forward);
+    Limits all = limits;
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+        Layer& layer = all[k];
+        for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
+            const Span span = layer.spans.of(row);
+            for (int cell = span.from; cell <= span.to; ++cell) {
+                const std::size_t at = span.at(cell);
+                if (one.layers[k].z[at] == -nowhere || other.layers[k].z[at] == -nowhere) {
+                    layer.low[at] = nowhere;
+                    layer.high[at] = -nowhere;
+                    continue;
+                }
+                layer.low[at] = std::max({layer.low[at], one.layers[k].w[at] + *of.down.at(row, cell),
+                                          other.layers[k].w[at] + *of_other.down.at(row, cell)});
+                layer.high[at] = std::min({layer.high[at], one.layers[k].z[at] + *of.up.at(row, cell),
+                                           other.layers[k].z[at] + *of_other.up.at(row, cell)});
+            }
+        }
+    }
+    return trimmed(all);
+}
+
+}  // namespace snug::detail::sets

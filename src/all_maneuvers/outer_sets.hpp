@@ -1,0 +1,156 @@
+// What no maneuver can leave: for every cell of a lattice over (a, b) and every move, sets of y that hold every place the
+// car can come to with so many direction changes. Where they miss the other end, more changes are needed.
+//
+// The rear axle's x and the heading make a = x - r sin(heading) and b = x + r sin(heading), which no forward motion lets
+// fall and no backward motion lets rise. Cells have the side h in both. Row s holds the centres x = s h / 2, column d the
+// headings with sine d h / (2 r); s + d is even. Cell (s, d) is [a_i, a_i + h] x [b_j, b_j + h], i = (s-d)/2, j = (s+d)/2.
+//
+// Within a cell the car is in one of the intervals that solids leave free; each keeps one pair (z, w), which bounds
+//   forward   z >= y + r cos - (a - a_i) T_hi        w <= y - r cos - (b - b_j) T_lo
+//   backward  z >= y + r cos - (a - a_i - h) T_lo    w <= y - r cos - (b - b_j - h) T_hi
+// with T_hi and T_lo the largest and the least tangent in the cell. Numbers are whole multiples of 2^-22 m, rounded
+// outward: sums are exact, so "nothing was added" is exact, too.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "all_maneuvers/chart.hpp"
+#include "snug/maneuver.hpp"
+
+namespace snug::detail::sets {
+
+/// 2^-22 m.
+using Micro = std::int32_t;
+constexpr double micro = 0x1p-22;
+constexpr Micro nowhere = 805306368;  ///< 192 m: farther than anything
+constexpr double farthest_y = 100.0;  ///< the region lies within [m]
+
+/// Looks whether time is up or the caller has had enough, and throws Stopped if so.
+using Watching = std::function<void()>;
+struct Stopped {};
+
+/// Cells `from` to `to` of a row.
+struct Span {
+    int from = 0;
+    int to = -1;
+    std::size_t begin = 0;  ///< where they are stored
+
+    [[nodiscard]] bool empty() const { return from > to; }
+    [[nodiscard]] std::size_t at(int cell) const { return begin + static_cast<std::size_t>(cell - from); }
+};
+
+/// Of every row from the first on.
+struct Spans {
+    int first = 0;
+    std::vector<Span> rows;
+    std::size_t cells = 0;
+
+    [[nodiscard]] Span of(int row) const {
+        const int i = row - first;
+        return i < 0 || i >= static_cast<int>(rows.size()) ? Span{} : rows[static_cast<std::size_t>(i)];
+    }
+    [[nodiscard]] int last() const { return first + static_cast<int>(rows.size()) - 1; }
+    /// Gives every row its place in the store.
+    void store();
+};
+
+/// Within row s the cell of column d.
+inline int cell_of(int d) { return d >> 1; }
+inline int column_of(int row, int cell) { return 2 * cell + (row & 1); }
+
+/// Intervals of y, at most one in a cell; low > high where there is none.
+struct Layer {
+    Spans spans;
+    std::vector<Micro> low, high;
+};
+/// Several in a cell, in any order.
+using Limits = std::vector<Layer>;
+
+/// The pairs of one move, layer by layer beside the limits they were made in.
+struct Pairs {
+    struct Of {
+        std::vector<Micro> z, w;
+    };
+    std::vector<Of> layers;
+};
+
+/// Numbers of columns, by parity and cell.
+struct ColumnNumbers {
+    int first_cell = 0;
+    std::vector<Micro> of[2];
+
+    [[nodiscard]] const Micro* at(int row, int cell) const { return of[row & 1].data() + (cell - first_cell); }
+};
+
+/// Without rows and cells that have none at the rim.
+Limits trimmed(const Limits& limits);
+/// The hull of several in every cell.
+Layer hull(const std::vector<const Limits*>& several);
+
+class OuterLattice {
+public:
+    /// Cells of side h, the start pose a third of h0 from the corner of one; h0 / h is a power of two. Only within what is
+    /// left of the lattice twice as coarse, if given.
+    OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch);
+
+    [[nodiscard]] double h() const { return h_; }
+    [[nodiscard]] double x(int row) const { return x0_ + row * (h_ / 2.0); }
+    [[nodiscard]] double sine(int column) const { return sine0_ + column * sine_step_; }
+    /// What solids and the region leave free, and where the car is parked.
+    [[nodiscard]] const Limits& free() const { return free_; }
+    [[nodiscard]] const Limits& parked() const { return parked_; }
+
+    /// Nothing.
+    [[nodiscard]] Pairs none(const Limits& limits) const;
+    /// Places in intervals of y, as the beginning of a move.
+    [[nodiscard]] Pairs begin(const Limits& places, const Limits& limits, Direction direction) const;
+    [[nodiscard]] Pairs begin_at_start(const Limits& limits, Direction direction) const;
+    /// A move of the other direction as the beginning of one of this direction, rounded outward to a coarser grid.
+    [[nodiscard]] Pairs turn(const Pairs& before, const Limits& limits_before, const Limits& limits,
+                             Direction direction) const;
+    /// Everything the move reaches from where it begins.
+    void sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch) const;
+
+    [[nodiscard]] bool holds(const Pairs& pairs, const Limits& limits, Direction direction, const Pose& pose) const;
+    [[nodiscard]] bool holds_start(const Pairs& pairs, const Limits& limits, Direction direction) const {
+        return holds(pairs, limits, direction, start_);
+    }
+    /// The places as intervals of y that lie in both.
+    [[nodiscard]] Limits common(const Pairs& one, Direction direction, const Pairs& other, const Limits& limits) const;
+    /// The free intervals, clipped to what is left of the lattice twice as coarse.
+    [[nodiscard]] Limits clipped(const Limits& coarser) const;
+
+    /// Cells computed so far.
+    mutable std::size_t updates = 0;
+
+private:
+    struct Numbers {
+        ColumnNumbers up, down;               ///< y <= z + up, y >= w + down
+        ColumnNumbers z_high, w_low;          ///< z <= y + z_high, w >= y - w_low
+        ColumnNumbers from_left, from_right;  ///< what z, or w, gains on the way from the column beside
+        ColumnNumbers turn_z, turn_w;         ///< and at a change into this direction
+    };
+    /// The cell a pose lies in, and what lies between the pair's bounds and y there.
+    struct Place {
+        int row, column;
+        double up, down;  ///< y <= z + up, y >= w + down
+    };
+    [[nodiscard]] Place place_of(const Pose& pose, Direction direction) const;
+    void number_columns();
+    void measure(const ChartPlace& place, const Layer* coarser, const Watching& watch);
+    [[nodiscard]] const Numbers& numbers(Direction direction) const {
+        return direction == Direction::forward ? forward_ : backward_;
+    }
+
+    double h_, radius_, x0_, sine0_, sine_step_;
+    Pose start_;
+    int first_column_ = 0, last_column_ = 0;
+    Numbers forward_, backward_;
+    ColumnNumbers apart_;  ///< z - w is at least this
+    Limits free_, parked_;
+};
+
+}  // namespace snug::detail::sets

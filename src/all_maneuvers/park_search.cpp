@@ -1,0 +1,417 @@
+#include "all_maneuvers/park_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "all_maneuvers/inner_sets.hpp"
+#include "all_maneuvers/route.hpp"
+#include "model/angles.hpp"
+#include "model/polygon.hpp"
+
+namespace snug::detail::sets {
+
+namespace {
+
+Direction other(Direction direction) {
+    return direction == Direction::forward ? Direction::backward : Direction::forward;
+}
+
+bool same(const Pairs& one, const Pairs& two) {
+    for (std::size_t k = 0; k < one.layers.size(); ++k)
+        if (one.layers[k].z != two.layers[k].z || one.layers[k].w != two.layers[k].w) return false;
+    return true;
+}
+
+/// Something of every move forward and every move backward.
+template <class Of>
+struct BothWays {
+    std::vector<Of> forward, backward;
+
+    std::vector<Of>& of(Direction direction) { return direction == Direction::forward ? forward : backward; }
+    const std::vector<Of>& of(Direction direction) const {
+        return direction == Direction::forward ? forward : backward;
+    }
+};
+
+constexpr Direction both_directions[] = {Direction::forward, Direction::backward};
+
+/// The moves with so many changes, one forward and one backward, from those with one less, if there are any. Nothing is clipped.
+BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,
+                           bool from_start, const Watching& watch) {
+    const Limits& limits = lattice.free();
+    BothWays<Pairs> next;
+    for (const Direction direction : both_directions) {
+        const Pairs* before = direction == Direction::forward ? last_backward : last_forward;
+        Pairs pairs = before       ? lattice.turn(*before, limits, limits, direction)
+                      : from_start ? lattice.begin_at_start(limits, direction)
+                                   : lattice.begin(lattice.parked(), limits, direction);
+        lattice.sweep(pairs, limits, direction, watch);
+        next.of(direction).push_back(std::move(pairs));
+    }
+    return next;
+}
+
+/// With how many changes the sets around the parked poses reach the start: no maneuver has fewer.
+struct Counted {
+    int changes = 0;          ///< more than `most` when they do not
+    bool impossible = false;  ///< they never will
+};
+Counted count_from_below(const OuterLattice& lattice, int most, const Watching& watch) {
+    BothWays<Pairs> now;
+    for (int k = 0; k <= most; ++k) {
+        BothWays<Pairs> next = next_moves(lattice, k > 0 ? &now.forward.back() : nullptr,
+                                          k > 0 ? &now.backward.back() : nullptr, false, watch);
+        for (const Direction direction : both_directions)
+            if (lattice.holds_start(next.of(direction).back(), lattice.free(), direction)) return {k, false};
+        if (k > 0 && same(next.forward.back(), now.forward.back()) && same(next.backward.back(), now.backward.back()))
+            return {most + 1, true};
+        now = std::move(next);
+    }
+    return {most + 1, false};
+}
+
+/// What is left of a lattice when only maneuvers with so many changes count: where the car can be in every move of leaving.
+struct Left {
+    double h = 0.0;
+    BothWays<Limits> moves;
+    Layer hull_of_all;
+};
+
+Layer hull_of(const BothWays<Limits>& moves) {
+    std::vector<const Limits*> several;
+    for (const Direction direction : both_directions)
+        for (const Limits& limits : moves.of(direction)) several.push_back(&limits);
+    return hull(several);
+}
+
+/// From what is left of the lattice twice as coarse to what is left of this one; nothing when the start is out of reach.
+std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coarse, ParkBounds& bounds,
+                            const Watching& watch) {
+    const double h = coarse.h / 2.0;
+    const OuterLattice lattice(place, h, h0, &coarse.hull_of_all, watch);
+    const std::size_t moves = coarse.moves.forward.size();
+    BothWays<Limits> limits;
+    for (const Direction direction : both_directions)
+        for (const Limits& left : coarse.moves.of(direction)) limits.of(direction).push_back(lattice.clipped(left));
+    // Outward from the parked poses, then from the start: what is in both is left.
+    BothWays<Pairs> out, in;
+    for (std::size_t k = 0; k < moves; ++k) {
+        for (const Direction direction : both_directions) {
+            const Limits& mine = limits.of(direction)[k];
+            Pairs pairs = k == 0 ? lattice.begin(lattice.parked(), mine, direction)
+                                 : lattice.turn(out.of(other(direction))[k - 1], limits.of(other(direction))[k - 1],
+                                                mine, direction);
+            lattice.sweep(pairs, mine, direction, watch);
+            out.of(direction).push_back(std::move(pairs));
+        }
+    }
+    bool reached = false;
+    for (const Direction direction : both_directions)
+        reached = reached || lattice.holds_start(out.of(direction).back(), limits.of(direction).back(), direction);
+    bounds.updates += std::exchange(lattice.updates, 0);
+    if (!reached) return std::nullopt;
+    // Driving forward when leaving is driving backward when parking, and move k is the last but k.
+    Left left;
+    left.h = h;
+    for (const Direction direction : both_directions) left.moves.of(direction).resize(moves);
+    for (std::size_t k = moves; k-- > 0;) {
+        BothWays<Pairs> now;
+        for (const Direction direction : both_directions) {
+            const Limits& mine = limits.of(other(direction))[k];
+            Pairs pairs = k + 1 == moves ? lattice.begin_at_start(mine, direction)
+                                         : lattice.turn(in.of(other(direction)).front(), limits.of(direction)[k + 1],
+                                                        mine, direction);
+            lattice.sweep(pairs, mine, direction, watch);
+            left.moves.of(other(direction))[k] =
+                lattice.common(out.of(other(direction))[k], other(direction), pairs, mine);
+            now.of(direction).push_back(std::move(pairs));
+        }
+        in = std::move(now);
+    }
+    left.hull_of_all = hull_of(left.moves);
+    bounds.updates += lattice.updates;
+    return left;
+}
+
+/// The place for a car that is larger by so much on every side.
+ChartPlace with_grown_car(const ChartPlace& place, double by) {
+    ChartPlace grown = place;
+    for (std::vector<Point>& shape : grown.shapes) shape = grown_polygon(shape, by);
+    return grown;
+}
+
+/// Looks for ways with as many changes as the moves that are left allow.
+class WaySearch {
+public:
+    WaySearch(const ChartPlace& place, double h0, const Left& left, const Watching& watch, std::size_t& updates)
+        : place_(place), h0_(h0), left_(left), watch_(watch), updates_(updates) {}
+
+    /// Any that can be driven; empty if none is found.
+    std::vector<Path> any() {
+        for (const Direction last : both_directions) {
+            // What is met between nodes shrinks for a car that is a little larger.
+            for (const double by : {0.0, left_.h / 32.0, left_.h / 8.0, left_.h / 4.0, left_.h / 2.0}) {
+                const std::optional<Found> found = find(by, last);
+                if (!found) break;
+                std::vector<Path> way = drivable(*found);
+                if (!way.empty()) return way;
+            }
+        }
+        return {};
+    }
+
+    /// One that keeps a distance: that of the largest car that gets through. Empty if none is found.
+    std::vector<Path> roomiest() {
+        std::optional<Found> best;
+        double too_large = largest;
+        for (double by = smallest; by < largest; by *= 3.0) {
+            std::optional<Found> found = find_either(by);
+            if (!found) {
+                too_large = by;
+                break;
+            }
+            best = std::move(found);
+        }
+        for (int i = 0; best && i < 3; ++i) {
+            const double middle = (best->grown + too_large) / 2.0;
+            std::optional<Found> found = find(middle, best->chain.last);
+            if (found) {
+                best = std::move(found);
+            } else {
+                too_large = middle;
+            }
+        }
+        return best ? drivable(*best) : std::vector<Path>{};
+    }
+
+private:
+    static constexpr double smallest = 0.003, largest = 0.2;  ///< by which the car is grown [m]
+
+    struct Found {
+        double grown = 0.0;
+        InnerLattice lattice;
+        InnerChain chain;
+    };
+
+    std::optional<Found> find_either(double grown) {
+        for (const Direction last : both_directions)
+            if (std::optional<Found> found = find(grown, last)) return found;
+        return std::nullopt;
+    }
+
+    std::optional<Found> find(double grown, Direction last) {
+        const ChartPlace place = with_grown_car(place_, grown);
+        Found found{grown, InnerLattice(place, left_.h, h0_, left_.hull_of_all, watch_), {}};
+        const std::size_t moves = left_.moves.forward.size();
+        found.chain.last = last;
+        found.chain.reaches.resize(moves);  // so that directions can be told
+        for (std::size_t k = 0; k < moves; ++k) {
+            const Direction direction = found.chain.direction(k);
+            found.chain.begins.push_back(k == 0 ? found.lattice.parked() : found.chain.reaches[k - 1]);
+            found.chain.reaches[k] =
+                found.lattice.sweep(found.chain.begins[k], left_.moves.of(direction)[k], direction, watch_);
+        }
+        updates_ += found.lattice.updates;
+        if (!found.lattice.holds_start(found.chain.reaches.back())) return std::nullopt;
+        return found;
+    }
+
+    /// Few pieces that keep as much distance as the steps along the lattice do; empty if these meet something.
+    std::vector<Path> drivable(const Found& found) {
+        const std::vector<Path> steps = way_by_steps(found.lattice, found.chain, place_);
+        if (!is_drivable(place_, steps)) return {};
+        for (double keeps = found.grown; keeps > smallest / 2.0; keeps /= 2.0) {
+            const ChartPlace wary = with_grown_car(place_, keeps);
+            if (is_drivable(wary, steps)) return with_few_pieces(wary, steps);
+        }
+        return with_few_pieces(place_, steps);
+    }
+
+    const ChartPlace& place_;
+    double h0_;
+    const Left& left_;
+    const Watching& watch_;
+    std::size_t& updates_;
+};
+
+/// The fewest changes along the lattice of upper bounds, up to `most`, whatever is met between its nodes.
+std::optional<int> changes_along(const ChartPlace& place, double h, double h0, const Limits& limits, int most,
+                                 const Watching& watch, std::size_t& updates) {
+    const Layer cells = hull({&limits});
+    InnerLattice lattice(place, h, h0, cells, watch);
+    BothWays<InnerSet> now;
+    std::optional<int> changes;
+    for (int k = 0; k <= most && !changes; ++k) {
+        BothWays<InnerSet> next;
+        for (const Direction direction : both_directions) {
+            const InnerSet& begin = k == 0 ? lattice.parked() : now.of(other(direction)).front();
+            next.of(direction).push_back(lattice.sweep(begin, limits, direction, watch));
+            if (lattice.holds_start(next.of(direction).front())) changes = k;
+        }
+        now = std::move(next);
+    }
+    updates += lattice.updates;
+    return changes;
+}
+
+int changes_of(const std::vector<Path>& way) {
+    int changes = 0;
+    for (std::size_t i = 1; i < way.size(); ++i) changes += way[i].way != way[i - 1].way;
+    return changes;
+}
+
+constexpr int tried_above = 2;    ///< counts above the lower bound for which a lattice looks for a way
+constexpr int far_above = 40;     ///< and how far the coarse ones look for where to begin
+constexpr int many_changes = 20;  ///< from so many on finer lattices count first
+
+/// Places that want the car parked better: close to the parked heading, and well inside; the last is as asked.
+std::vector<ChartPlace> better_parked(const ChartPlace& place, double h) {
+    std::vector<ChartPlace> places;
+    const double middle = (std::max(place.parked_from, -1.0) + std::min(place.parked_to, 1.0)) / 2.0;
+    const double heading = place.start.heading * -1.0;  // the chart lies halfway
+    const double sine = angles::sin(heading), cosine = angles::cos(heading);
+    const double close = 0.6 * h / (2.0 * place.radius);
+    const bool has_middle = sine - close >= place.parked_from && sine + close <= place.parked_to;
+    for (const double inside : {0.7, 0.3, 0.0}) {
+        ChartPlace better = place;
+        better.parked_from = std::max(place.parked_from, (has_middle ? sine : middle) - close);
+        better.parked_to = std::min(place.parked_to, (has_middle ? sine : middle) + close);
+        for (ParkedLimit& limit : better.parked) {
+            if (limit.of != ParkedLimit::whole_car) continue;
+            // Half of what the opposite side leaves when the car stands at the parked heading.
+            double slack = std::numeric_limits<double>::infinity();
+            for (const ParkedLimit& opposite : place.parked) {
+                const Point &n = limit.within.normal, &m = opposite.within.normal;
+                if (opposite.of != ParkedLimit::whole_car || n.x * m.x + n.y * m.y > -0.999999) continue;
+                double least = std::numeric_limits<double>::infinity(), most = -least;
+                for (const Point& p : place.frame) {
+                    const double at = n.x * (p.x * cosine - p.y * sine) + n.y * (p.x * sine + p.y * cosine);
+                    least = std::min(least, at);
+                    most = std::max(most, at);
+                }
+                slack = std::min(slack, (limit.within.offset + opposite.within.offset - (most - least)) / 2.0);
+            }
+            if (slack > 0.0 && slack < std::numeric_limits<double>::infinity()) limit.within.offset -= inside * slack;
+        }
+        places.push_back(std::move(better));
+    }
+    places.push_back(place);
+    return places;
+}
+
+/// Of the ways with as many changes as are left one that ends well and keeps a distance; empty if none is found.
+std::vector<Path> way_to_drive(const ParkQuestion& question, const Left& left, const Watching& watch,
+                               std::size_t& updates) {
+    for (const ChartPlace& place : better_parked(question.place, left.h)) {
+        std::vector<Path> way = WaySearch(place, question.coarsest, left, watch, updates).roomiest();
+        if (!way.empty() && is_drivable(question.place, way)) return way;
+    }
+    return {};
+}
+
+}  // namespace
+
+void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& watch) {
+    const double h0 = question.coarsest;
+    const OuterLattice lattice(question.place, h0, h0, nullptr, watch);
+    // Where it takes many changes, they are counted on finer lattices at once: that is cheap, as nothing needs to be kept.
+    for (double h = h0; h > 0.999 * question.finest; h /= 2.0) {
+        if (h < h0 && bounds.lower < many_changes) break;
+        std::optional<OuterLattice> finer;
+        if (h < h0) finer.emplace(question.place, h, h0, nullptr, watch);
+        const OuterLattice& here = finer ? *finer : lattice;
+        const Counted counted = count_from_below(here, question.max_changes, watch);
+        bounds.updates += std::exchange(here.updates, 0);
+        bounds.spacing = h;
+        bounds.lower = std::max(bounds.lower, counted.changes);
+        bounds.impossible = counted.impossible;
+        if (bounds.impossible) bounds.lower = question.max_changes + 1;
+        if (bounds.lower > question.max_changes) return;
+    }
+    BothWays<Pairs> out, in;
+    bounds.spacing = h0;
+
+    const auto left_with = [&](int changes) {
+        const auto deepen = [&](BothWays<Pairs>& sets, bool from_start) {
+            while (static_cast<int>(sets.forward.size()) <= changes) {
+                const bool first = sets.forward.empty();
+                BothWays<Pairs> next = next_moves(lattice, first ? nullptr : &sets.forward.back(),
+                                                  first ? nullptr : &sets.backward.back(), from_start, watch);
+                for (const Direction direction : both_directions)
+                    sets.of(direction).push_back(std::move(next.of(direction).front()));
+            }
+        };
+        deepen(out, false);
+        deepen(in, true);
+        Left left;
+        left.h = h0;
+        for (const Direction direction : both_directions)
+            for (std::size_t k = 0; k <= static_cast<std::size_t>(changes); ++k)
+                left.moves.of(direction).push_back(
+                    lattice.common(out.of(direction)[k], direction,
+                                   in.of(other(direction))[static_cast<std::size_t>(changes) - k], lattice.free()));
+        left.hull_of_all = hull_of(left.moves);
+        return left;
+    };
+    const auto try_way = [&](const Left& left) {
+        std::vector<Path> way = WaySearch(question.place, h0, left, watch, bounds.updates).any();
+        if (way.empty()) return false;
+        const int changes = changes_of(way);
+        if (!bounds.upper || changes < *bounds.upper) {
+            bounds.upper = changes;
+            bounds.way = std::move(way);
+        }
+        return true;
+    };
+
+    double found_at = h0;  ///< spacing of the lattice that has the way
+    const auto left_for = [&](int changes, double h) {
+        std::optional<Left> left = left_with(changes);
+        while (left && left->h > 1.001 * h) left = refined(question.place, h0, *left, bounds, watch);
+        return left;
+    };
+    const auto finish = [&] {
+        if (!question.roomiest || !bounds.upper) return;
+        const std::optional<Left> left = left_for(*bounds.upper, found_at);
+        if (!left) return;
+        std::vector<Path> way = way_to_drive(question, *left, watch, bounds.updates);
+        if (!way.empty() && changes_of(way) == *bounds.upper) bounds.way = std::move(way);
+    };
+    for (double h = h0; h > 0.999 * question.finest && !bounds.meet(); h /= 2.0) {
+        // What is left for the lower bound at this spacing; each count that turns out impossible moves it up.
+        std::optional<Left> left;
+        while (!left && !bounds.meet() && bounds.lower <= question.max_changes) {
+            left = left_for(bounds.lower, h);
+            if (!left) ++bounds.lower;
+        }
+        if (!left) break;
+        bounds.spacing = h;
+        if (try_way(*left)) {
+            found_at = h;
+            break;
+        }
+        left.reset();
+        // None found with as few as the lower bound: how many may it take?
+        int changes = bounds.lower + 1;
+        if (!bounds.upper && h > 0.3 * h0) {
+            const OuterLattice all(question.place, h, h0, nullptr, watch);
+            const int most = std::min(question.max_changes, bounds.lower + far_above);
+            changes = std::max(
+                changes,
+                changes_along(question.place, h, h0, all.free(), most, watch, bounds.updates).value_or(most + 1));
+        }
+        const int most = std::min(
+            {question.max_changes, changes + tried_above, bounds.upper.value_or(question.max_changes + 1) - 1});
+        for (; changes <= most; ++changes) {
+            const std::optional<Left> more = left_for(changes, h);
+            if (!more || !try_way(*more)) continue;
+            found_at = h;
+            break;
+        }
+    }
+    finish();
+}
+
+}  // namespace snug::detail::sets

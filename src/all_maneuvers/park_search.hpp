@@ -1,0 +1,35 @@
+// Both bounds on the number of direction changes for parking, on finer and finer lattices.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "all_maneuvers/chart.hpp"
+#include "all_maneuvers/outer_sets.hpp"
+#include "contact/place_contact.hpp"
+
+namespace snug::detail::sets {
+
+struct ParkQuestion {
+    ChartPlace place;
+    int max_changes = 200;
+    double coarsest = 0.08, finest = 0.01;  ///< spacings, a power of two apart [m]
+    bool roomiest = true;
+};
+
+/// What is known. It only ever gets better, so that it can be used whenever the search is given up.
+struct ParkBounds {
+    int lower = 0;             ///< no maneuver has fewer
+    bool impossible = false;   ///< none will do at all
+    std::optional<int> upper;  ///< as `way` has
+    std::vector<Path> way;     ///< in the chart, checked
+    double spacing = 0.0;      ///< of the finest lattice [m]
+    std::size_t updates = 0;   ///< cells computed
+
+    [[nodiscard]] bool meet() const { return impossible || (upper && *upper == lower); }
+};
+
+/// Narrows the bounds until they meet or the finest lattice is done. Throws Stopped.
+void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& watch);
+
+}  // namespace snug::detail::sets

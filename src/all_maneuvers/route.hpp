@@ -1,0 +1,35 @@
+// From sets of y to a way to drive, from the very start: few arcs and straight lines, each checked by exact contact.
+#pragma once
+
+#include <vector>
+
+#include "all_maneuvers/inner_sets.hpp"
+#include "contact/place_contact.hpp"
+#include "snug/maneuver.hpp"
+
+namespace snug::detail::sets {
+
+/// The sets of one alternation of moves, outward from the parked poses: the last one holds the start.
+struct InnerChain {
+    std::vector<InnerSet> begins;  ///< where move k begins to leave: the parked poses, then the move before
+    std::vector<InnerSet> reaches;
+    Direction last = Direction::forward;  ///< of the last one, leaving
+
+    [[nodiscard]] Direction direction(std::size_t k) const {
+        const bool same = (reaches.size() - 1 - k) % 2 == 0;
+        return same == (last == Direction::forward) ? Direction::forward : Direction::backward;
+    }
+};
+
+/// A way in the chart, as driven when parking, with pieces of constant steering for every step: through the middle of the
+/// sets. It may meet something between the nodes.
+std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& chain, const ChartPlace& place);
+
+/// The same moves with few pieces: as far as nothing is in the way, each stretch becomes the shortest way between its ends,
+/// which is an arc, a straight line and an arc.
+std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Path>& way);
+
+/// Whether nothing is met, the region is not left and the car is parked at the end.
+bool is_drivable(const ChartPlace& place, const std::vector<Path>& way);
+
+}  // namespace snug::detail::sets

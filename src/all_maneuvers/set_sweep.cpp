@@ -1,0 +1,66 @@
+// The inner loops of the sweeps of sets, in vectors of whole numbers.
+#include "all_maneuvers/set_sweep.hpp"
+
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "all_maneuvers/set_sweep.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace snug::detail::sets::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <bool GainsZ, bool GainsW>
+void take_in_cells(const Taking& to, const Given& given, std::size_t count) {
+    const hn::CappedTag<Micro, 16> tag;
+    const std::size_t lanes = hn::Lanes(tag);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        auto z = hn::LoadU(tag, given.z + i);
+        auto w = hn::LoadU(tag, given.w + i);
+        if constexpr (GainsZ) z = hn::Add(z, hn::LoadU(tag, given.more_z + i));
+        if constexpr (GainsW) w = hn::Add(w, hn::LoadU(tag, given.more_w + i));
+        const auto low = hn::LoadU(tag, to.low + i);
+        const auto high = hn::LoadU(tag, to.high + i);
+        z = hn::Min(z, hn::Add(high, hn::LoadU(tag, to.z_high + i)));
+        w = hn::Max(w, hn::Sub(low, hn::LoadU(tag, to.w_low + i)));
+        const auto below = hn::Lt(hn::Add(z, hn::LoadU(tag, to.up + i)), low);
+        const auto above = hn::Gt(hn::Add(w, hn::LoadU(tag, to.down + i)), high);
+        const auto none = hn::Lt(hn::Sub(z, w), hn::LoadU(tag, to.apart + i));
+        const auto misses = hn::Or(hn::Or(below, above), none);
+        const auto old_z = hn::LoadU(tag, to.z + i);
+        const auto old_w = hn::LoadU(tag, to.w + i);
+        z = hn::IfThenElse(misses, old_z, hn::Max(z, old_z));
+        w = hn::IfThenElse(misses, old_w, hn::Min(w, old_w));
+        if (i + lanes <= count) {
+            hn::StoreU(z, tag, to.z + i);
+            hn::StoreU(w, tag, to.w + i);
+        } else {
+            hn::BlendedStore(z, hn::FirstN(tag, count - i), tag, to.z + i);
+            hn::BlendedStore(w, hn::FirstN(tag, count - i), tag, to.w + i);
+        }
+    }
+}
+
+void take_in_vectors(const Taking& to, const Given& given, std::size_t count) {
+    if (given.more_z && given.more_w) return take_in_cells<true, true>(to, given, count);
+    if (given.more_z) return take_in_cells<true, false>(to, given, count);
+    if (given.more_w) return take_in_cells<false, true>(to, given, count);
+    take_in_cells<false, false>(to, given, count);
+}
+
+}  // namespace snug::detail::sets::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace snug::detail::sets {
+
+HWY_EXPORT(take_in_vectors);
+
+void take_in(const Taking& taking, const Given& given, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(take_in_vectors)(taking, given, count);
+}
+
+}  // namespace snug::detail::sets
+#endif

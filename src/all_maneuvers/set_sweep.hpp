@@ -1,0 +1,28 @@
+// The inner loops of the sweeps of sets: a stretch of a row, in vectors.
+#pragma once
+
+#include <cstddef>
+
+#include "all_maneuvers/outer_sets.hpp"
+
+namespace snug::detail::sets {
+
+/// A stretch of cells that takes in pairs (z, w): those that fit its intervals, clipped to them, and the hull of these.
+struct Taking {
+    Micro *z, *w;
+    const Micro *low, *high;
+    const Micro *up, *down, *z_high, *w_low, *apart;
+};
+
+/// Pairs z + more_z, w + more_w.
+struct Given {
+    const Micro *z, *w;
+    const Micro *more_z, *more_w;  ///< null for nothing
+};
+
+/// `count` cells take in what is given. Whole vectors are read beyond the end: up to `vector_padding` numbers more.
+void take_in(const Taking& taking, const Given& given, std::size_t count);
+
+constexpr std::size_t vector_padding = 16;
+
+}  // namespace snug::detail::sets

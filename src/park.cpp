@@ -1,0 +1,128 @@
+// From any pose into any place: the question in a chart, the bounds, and the way as a maneuver in the world.
+#include "snug/park.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "all_maneuvers/park_search.hpp"
+#include "contact/place_contact.hpp"
+#include "model/angles.hpp"
+#include "sentences/check.hpp"
+
+namespace snug {
+
+namespace {
+
+using namespace detail::sets;
+
+constexpr double half_turn = 3.141592653589793;
+constexpr double most_changes = 1000.0;
+constexpr double usual_part = 1.0 / 800;    ///< of the car's length: the usual resolution
+constexpr double coarsest_part = 1.0 / 50;  ///< and no lattice is coarser
+constexpr double most_cells = 2e7;          ///< of the coarsest lattice
+constexpr double touch = 1e-9;              ///< deeper is contact [m]
+
+void check(const ParkOptions& options) {
+    check_between("maximum of direction changes", options.max_changes, 0.0, most_changes, "");
+    check_between("clearance", options.clearance, 0.0, 1e6, " m");
+    check_between("resolution", options.resolution, 0.0, 1e6, " m");
+    check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
+}
+
+void check_start(const Place& place, const ChartPlace& here) {
+    for (const HalfPlane& edge : here.region) {
+        const double out = edge.normal.x * here.start.x + edge.normal.y * here.start.y - edge.offset;
+        if (out > touch)
+            throw Error("the car starts outside the region, by " + spelled(out) +
+                        " m; move it, or make the region larger");
+    }
+    for (std::size_t i = 0; i < here.solids.size(); ++i) {
+        const ChartPlace::Solid& solid = here.solids[i];
+        const double deep = detail::overlap(detail::placed(here.shapes[solid.stops], here.start), solid.corners);
+        if (!(deep > touch)) continue;
+        const std::size_t obstacle = place.pieces()[i].obstacle;
+        const std::string& name = place.obstacles()[obstacle].name;
+        throw Error("the car starts in contact with " +
+                    (name.empty() ? "obstacle [" + std::to_string(obstacle) + "]" : "the " + name) + ", " +
+                    spelled(deep) + " m deep; move it away");
+    }
+}
+
+}  // namespace
+
+ParkAnswer park(const Car& car, const Place& place, const Pose& start, const ParkOptions& options) {
+    check(options);
+    check_between("start x", start.x, -1e9, 1e9, " m");
+    check_between("start y", start.y, -1e9, 1e9, " m");
+    check_between("start heading", start.heading, -1e9, 1e9, " rad");
+    Chart chart;
+    ParkQuestion question;
+    question.place = chart_place(car, place, start, options.clearance, chart);
+    question.max_changes = options.max_changes;
+    question.roomiest = options.roomiest;
+    if (std::abs(question.place.start.heading) > half_turn * 75.0 / 180.0)
+        throw Error("the car's heading and the parked one are " +
+                    spelled(std::abs(question.place.start.heading) * 2.0 * 180.0 / half_turn) +
+                    " degrees apart, but at most 150 are supported; turn the car first");
+    check_start(place, question.place);
+    const double reach = std::max(std::abs(question.place.y_min), std::abs(question.place.y_max));
+    if (reach > farthest_y || question.place.radius > 40.0)
+        throw Error("the region reaches " + spelled(reach) + " m across, but at most " + spelled(farthest_y) +
+                    " are supported; name a smaller one");
+
+    const double length = car.length();
+    question.finest = options.resolution > 0.0 ? options.resolution : usual_part * length;
+    const double sensible = std::min(coarsest_part * length, question.place.radius / 32.0);
+    question.finest = std::min(question.finest, sensible);
+    question.coarsest = question.finest;
+    while (2.0 * question.coarsest <= sensible) question.coarsest *= 2.0;
+    const double cells = (question.place.x_max - question.place.x_min) * 4.0 * question.place.radius /
+                         (question.coarsest * question.coarsest);
+    if (cells > most_cells)
+        throw Error("the region is " + spelled(question.place.x_max - question.place.x_min) +
+                    " m long, too long for this car; name a smaller one");
+
+    ParkBounds bounds;
+    bool stopped = false;
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    const Watching watch = [&] {
+        const double part = std::chrono::duration<double>(Clock::now() - begin).count() / options.time_limit;
+        if (part > 1.0) throw Stopped{};
+        if (options.progress && !options.progress({bounds.lower, bounds.upper, bounds.spacing, part})) throw Stopped{};
+    };
+    try {
+        narrow(question, bounds, watch);
+    } catch (const Stopped&) {
+        stopped = true;  // as far as it got
+    }
+
+    ParkAnswer answer;
+    answer.cancelled = stopped;
+    answer.direction_changes = bounds.upper;
+    answer.lower_bound = bounds.lower;
+    answer.impossible = bounds.impossible;
+    answer.proved = bounds.meet() || bounds.lower > options.max_changes;
+    answer.spacing = bounds.spacing;
+    if (!bounds.upper) return answer;
+    Maneuver maneuver{car, {}};
+    Pose at = start;
+    for (const detail::Path& piece : bounds.way) {
+        Move move;
+        move.direction = piece.way > 0.0 ? Direction::forward : Direction::backward;
+        // Full steering is the car's own angle, to the bit.
+        move.steering_angle = piece.curvature == 0.0 ? 0.0 : angles::atan(car.wheelbase() * piece.curvature);
+        if (std::abs(std::abs(piece.curvature) * car.turning_radius() - 1.0) < 1e-12)
+            move.steering_angle = piece.curvature > 0.0 ? car.max_steer() : -car.max_steer();
+        move.length = piece.length;
+        move.start = at;
+        move.end = at = drive(car, at, move.direction, move.steering_angle, move.length);
+        maneuver.moves.push_back(move);
+    }
+    answer.maneuver = std::move(maneuver);
+    return answer;
+}
+
+}  // namespace snug

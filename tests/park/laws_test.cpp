@@ -1,0 +1,140 @@
+// Laws of `park`: what makes parking easier never makes it proved to be harder; mirrored and moved worlds agree; with an open
+// road it agrees with `fewest`.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "park/judge.hpp"
+#include "park/random_places.hpp"
+#include "sample.hpp"
+#include "snug/fewest.hpp"
+#include "snug/park.hpp"
+
+namespace {
+
+using namespace park_test;
+
+snug::ParkOptions quick() {
+    snug::ParkOptions options;
+    options.resolution = 0.04;
+    options.max_changes = 8;
+    options.roomiest = false;
+    return options;
+}
+
+/// A bay in a road that the start does not collide in; empty if there is none.
+struct Bay {
+    Car car;
+    Street street;
+    Pose start;
+};
+std::optional<Bay> random_bay(std::uint64_t index) {
+    Random random(index);
+    const Car car = random_car(random);
+    const Street street = random_street(random, car);
+    Pose start = standard_start(street, car);
+    start.x += random.between(-0.5, 0.5);
+    start.y += random.between(-0.2, 0.2);
+    start.heading += random.between(-0.1, 0.1);
+    const Place place = street_place(street);
+    if (depth_in_place(car, place, start) > -1e-3 || outside_region(place, start) > -1e-3) return std::nullopt;
+    return Bay{car, street, start};
+}
+
+TEST(ParkLaws, MoreRoadSmallerCarsAndLongerSlotsAreNoHarder) {
+    const int count = snug::test::sample(16, 300);
+    for (int i = 0; i < count; ++i) {
+        const auto bay = random_bay(static_cast<std::uint64_t>(200000 + i));
+        if (!bay) continue;
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + described(bay->car, bay->street, bay->start));
+        const auto hard = park(bay->car, street_place(bay->street), bay->start, quick());
+        if (!hard.direction_changes) continue;
+        Random random(static_cast<std::uint64_t>(300000 + i));
+        Street easier = bay->street;
+        if (easier.road) *easier.road += random.between(0.0, 1.0);
+        easier.stretch += random.between(0.0, 1.0);
+        auto dimensions = bay->car.dimensions();
+        dimensions.width -= random.between(0.0, 0.2);
+        dimensions.front -= random.between(0.0, 0.2);
+        dimensions.rear -= random.between(0.0, 0.2);
+        const auto easy = park(Car(dimensions), street_place(easier), bay->start, quick());
+        EXPECT_LE(easy.lower_bound, *hard.direction_changes);
+        // Later on the same way no more changes are left.
+        const auto& moves = hard.maneuver->moves;
+        const std::size_t at = static_cast<std::size_t>(random.whole(0, static_cast<int>(moves.size()) - 1));
+        int left = 0;
+        for (std::size_t k = at + 1; k < moves.size(); ++k) left += moves[k].direction != moves[k - 1].direction;
+        const Pose there =
+            drive(bay->car, moves[at].start, moves[at].direction, moves[at].steering_angle, 0.5 * moves[at].length);
+        if (depth_in_place(bay->car, street_place(bay->street), there) > -1e-6) continue;
+        EXPECT_LE(park(bay->car, street_place(bay->street), there, quick()).lower_bound, left)
+            << "from the middle of move " << at;
+    }
+}
+
+TEST(ParkLaws, MirroredAndMovedWorldsAgree) {
+    const int count = snug::test::sample(10, 200);
+    for (int i = 0; i < count; ++i) {
+        const auto bay = random_bay(static_cast<std::uint64_t>(400000 + i));
+        if (!bay) continue;
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + described(bay->car, bay->street, bay->start));
+        const auto here = park(bay->car, street_place(bay->street), bay->start, quick());
+        Street other = bay->street;
+        other.side = bay->street.side == snug::Side::right ? snug::Side::left : snug::Side::right;
+        other.corner = {100000.0, -200000.0};  // as map projections have them
+        other.heading = 2.0;
+        const snug::Slot from({.length = 1,
+                               .width = 1,
+                               .side = bay->street.side,
+                               .corner = bay->street.corner,
+                               .heading = bay->street.heading});
+        const snug::Slot to(
+            {.length = 1, .width = 1, .side = other.side, .corner = other.corner, .heading = other.heading});
+        const auto there = park(bay->car, street_place(other), to.to_world(from.to_slot(bay->start)), quick());
+        // Bounds are rounded in the chart, so they may differ only where they do not prove anything.
+        if (here.direction_changes) {
+            EXPECT_GE(*here.direction_changes, there.lower_bound);
+        }
+        if (there.direction_changes) {
+            EXPECT_GE(*there.direction_changes, here.lower_bound);
+        }
+        if (here.proved && there.proved) {
+            EXPECT_EQ(here.lower_bound, there.lower_bound);
+        }
+    }
+}
+
+TEST(ParkLaws, OnAnOpenRoadItAgreesWithFewest) {
+    const int count = snug::test::sample(8, 200);
+    int compared = 0;
+    for (int i = 0; i < count; ++i) {
+        Random random(static_cast<std::uint64_t>(500000 + i));
+        const Car car = random_car(random);
+        Street street;
+        street.length = car.length() * random.between(1.08, 1.4);
+        street.width = car.width() * random.between(1.04, 1.4);
+        street.stretch = 12.0;
+        // Far ahead and well out in the road: from there the car reaches any entry position driving backward.
+        const Pose start{8.0, 4.0, 0.0};
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + described(car, street, start));
+        snug::FewestOptions options;
+        options.max_changes = 8;
+        options.roomiest = false;
+        options.resolution = 2e-3 * car.length();
+        const auto fewest = snug::fewest(car, snug::Slot({.length = street.length, .width = street.width}), options);
+        const auto parked = park(car, street_place(street), start, quick());
+        if (fewest.direction_changes && parked.lower_bound <= 8) {
+            EXPECT_LE(parked.lower_bound, *fewest.direction_changes);
+        }
+        if (parked.direction_changes) {
+            ++compared;
+            EXPECT_LE(fewest.lower_bound, *parked.direction_changes);
+        }
+    }
+    EXPECT_GT(compared, count / 4);
+}
+
+}  // namespace

@@ -1,0 +1,152 @@
+// No random real maneuver leaves the sets that bound the number of changes from below.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "all_maneuvers/chart.hpp"
+#include "all_maneuvers/outer_sets.hpp"
+#include "park/judge.hpp"
+#include "park/random_places.hpp"
+#include "sample.hpp"
+
+namespace {
+
+using namespace park_test;
+using snug::Direction;
+
+snug::Pose driven(const snug::Pose& from, double curvature, double on) {
+    const double turned = on * curvature;
+    if (std::abs(turned) < 1e-9)
+        return {from.x + on * std::cos(from.heading + turned / 2), from.y + on * std::sin(from.heading + turned / 2),
+                from.heading + turned};
+    return {from.x + (std::sin(from.heading + turned) - std::sin(from.heading)) / curvature,
+            from.y - (std::cos(from.heading + turned) - std::cos(from.heading)) / curvature, from.heading + turned};
+}
+
+/// A random maneuver that begins parked, with up to so many direction changes; `at` is told every place of it, in the world
+/// and in the chart, with the changes so far and the direction, and says whether to go on.
+template <class At>
+void drive_out(const Case& asked, const snug::detail::sets::Chart& chart, Random& random, int deepest, const At& at) {
+    constexpr double half_turn = 3.14159265358979323846;
+    const auto& inside = std::get<snug::ParkedInside>(asked.place.parked());
+    snug::Point middle{0, 0};
+    for (const snug::Point& p : inside.corners) middle.x += p.x / 4, middle.y += p.y / 4;
+    snug::Pose pose;
+    bool parked = false;
+    for (int attempt = 0; attempt < 60 && !parked; ++attempt) {
+        pose.heading = inside.heading + random.between(-0.2, 0.2) * random.between(0.0, 1.0);
+        const double back = (asked.car.front() - asked.car.rear()) / 2;
+        pose.x = middle.x - back * std::cos(pose.heading) + random.between(-0.6, 0.6);
+        pose.y = middle.y - back * std::sin(pose.heading) + random.between(-0.6, 0.6);
+        parked = short_of_parked(asked.car, asked.place, pose) <= -1e-9 &&
+                 depth_in_place(asked.car, asked.place, pose) < -1e-9 && outside_region(asked.place, pose) < -1e-9;
+    }
+    if (!parked) return;
+    const double most = std::tan(asked.car.max_steer()) / asked.car.wheelbase();
+    bool is_forward = random.chance(0.5);
+    for (int k = 0; k <= deepest; ++k, is_forward = !is_forward) {
+        // Pieces of steering until something is met, or the driver has had enough.
+        bool go_on = true;
+        for (int piece = random.whole(1, 4); piece > 0 && go_on; --piece) {
+            const double curvature =
+                random.chance(0.6) ? (random.chance(0.5) ? most : -most) : random.between(-most, most);
+            for (int steps = random.whole(1, 150); steps > 0 && go_on; --steps) {
+                const snug::Pose next = driven(pose, curvature, is_forward ? 0.02 : -0.02);
+                snug::Pose in_chart = chart.to_chart(next);
+                in_chart.heading = std::remainder(in_chart.heading, 2 * half_turn);
+                go_on = depth_in_place(asked.car, asked.place, next) < -1e-9 &&
+                        outside_region(asked.place, next) < -1e-9 &&
+                        std::abs(in_chart.heading) < 79.9 * half_turn / 180;
+                if (!go_on) break;
+                pose = next;
+                if (!at(pose, in_chart, k, is_forward)) return;
+            }
+        }
+    }
+}
+
+TEST(OuterSets, HoldEveryPlaceOfRandomManeuversOutOfTheSlot) {
+    const int count = snug::test::sample(24, 400);
+    const int maneuvers = snug::test::sample(400, 4000);
+    long long states = 0;
+    for (int i = 0; i < count; ++i) {
+        const Case asked = random_case(static_cast<std::uint64_t>(100000 + i));
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
+        Random random(static_cast<std::uint64_t>(7000000 + i));
+        snug::detail::sets::Chart chart;
+        const auto here = snug::detail::sets::chart_place(asked.car, asked.place, asked.start, 0.0, chart);
+        if (std::abs(here.start.heading) > 1.3) continue;
+        const double spacing = 0.16 / std::pow(2.0, random.whole(0, 2));
+        const snug::detail::sets::OuterLattice lattice(here, spacing, 0.16, nullptr, [] {});
+        const auto& limits = lattice.free();
+        constexpr int deepest = 4;
+        std::vector<snug::detail::sets::Pairs> forward, backward;
+        for (int k = 0; k <= deepest; ++k) {
+            auto f = k == 0 ? lattice.begin(lattice.parked(), limits, Direction::forward)
+                            : lattice.turn(backward.back(), limits, limits, Direction::forward);
+            auto b = k == 0 ? lattice.begin(lattice.parked(), limits, Direction::backward)
+                            : lattice.turn(forward.back(), limits, limits, Direction::backward);
+            lattice.sweep(f, limits, Direction::forward, [] {});
+            lattice.sweep(b, limits, Direction::backward, [] {});
+            forward.push_back(std::move(f));
+            backward.push_back(std::move(b));
+        }
+        for (int n = 0; n < maneuvers; ++n) {
+            drive_out(
+                asked, chart, random, deepest, [&](const Pose& pose, const Pose& in_chart, int k, bool is_forward) {
+                    ++states;
+                    const auto& sets = is_forward ? forward : backward;
+                    const Direction direction = is_forward ? Direction::forward : Direction::backward;
+                    const bool held = lattice.holds(sets[static_cast<std::size_t>(k)], limits, direction, in_chart);
+                    EXPECT_TRUE(held) << "spacing " << spacing << ", maneuver " << n << ", change " << k << ", at "
+                                      << pose.x << " " << pose.y << " " << pose.heading;
+                    return held;
+                });
+            if (HasFailure()) return;
+        }
+    }
+    std::printf("%lld states\n", states);
+    EXPECT_GT(states, count * 1000);
+}
+
+/// The same through all that `park` does: coarse lattices clip the finer ones.
+TEST(Park, NeedsNoMoreChangesThanARandomManeuverHad) {
+    const int count = snug::test::sample(40, 3000);
+    int asked_for = 0;
+    for (int i = 0; i < count; ++i) {
+        Case asked = random_case(static_cast<std::uint64_t>(1100000 + i));
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
+        Random random(static_cast<std::uint64_t>(1200000 + i));
+        snug::detail::sets::Chart chart;
+        static_cast<void>(snug::detail::sets::chart_place(asked.car, asked.place, asked.start, 0.0, chart));
+        // Headings stay within 80 degrees of the middle between both ends when they stay within 40 of the parked one.
+        chart = {chart.origin, std::get<snug::ParkedInside>(asked.place.parked()).heading};
+        bool within = true;
+        int changes = 0;
+        double turned = 0.0;
+        drive_out(asked, chart, random, random.whole(0, 4), [&](const Pose& pose, const Pose& in_chart, int k, bool) {
+            within = within && std::abs(in_chart.heading) < 0.7;
+            if (!within) return false;
+            asked.start = pose;
+            changes = k;
+            turned = in_chart.heading;
+            return true;
+        });
+        if (changes == 0 && turned == 0.0) continue;
+        ++asked_for;
+        snug::ParkOptions options;
+        options.resolution = 0.02;
+        options.max_changes = 6;
+        options.roomiest = false;
+        const auto answer = park(asked.car, asked.place, asked.start, options);
+        EXPECT_LE(answer.lower_bound, changes)
+            << "from " << asked.start.x << " " << asked.start.y << " " << asked.start.heading;
+    }
+    std::printf("%d asked for\n", asked_for);
+}
+
+}  // namespace

@@ -1,0 +1,45 @@
+// Maneuvers of `park` are what they say they are.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#include "park/judge.hpp"
+#include "park/random_places.hpp"
+#include "sample.hpp"
+#include "snug/error.hpp"
+#include "snug/park.hpp"
+
+namespace {
+
+using namespace park_test;
+
+TEST(Park, EveryManeuverParksWithoutTouchingAnything) {
+    const int count = snug::test::sample(60, 2000);
+    int found = 0, proved = 0, refused = 0;
+    for (int i = 0; i < count; ++i) {
+        const Case asked = random_case(static_cast<std::uint64_t>(i));
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
+        snug::ParkOptions options;
+        options.resolution = 0.04;
+        options.max_changes = 12;
+        if (depth_in_place(asked.car, asked.place, asked.start) > -1e-6 ||
+            outside_region(asked.place, asked.start) > 0) {
+            EXPECT_THROW(park(asked.car, asked.place, asked.start, options), snug::Error);
+            ++refused;
+            continue;
+        }
+        const snug::ParkAnswer answer = park(asked.car, asked.place, asked.start, options);
+        proved += answer.proved;
+        if (!answer.maneuver) continue;
+        ++found;
+        EXPECT_EQ(verdict(asked.car, asked.place, asked.start, answer), "");
+        EXPECT_GE(*answer.direction_changes, answer.lower_bound);
+    }
+    RecordProperty("found", found);
+    std::printf("%d of %d found, %d proved, %d starts refused\n", found, count, proved, refused);
+    EXPECT_GE(found, count / 3);
+}
+
+}  // namespace
