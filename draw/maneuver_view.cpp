@@ -202,7 +202,7 @@ std::string draw_unparked(const Car& car, const Slot& slot, std::string_view why
     const std::vector<Leg> legs;
     const Stage stage = {car, slot, legs, options};
     const Unit unit = unit_for(car.length());
-    const Pose entry = entry_position(car, slot, 0.0, options);
+    const Pose entry = entry_position(car, slot, 0.0, options.driving);
     const View view = view_of(car, slot, box_of(car, slot, entry), stage_panel);
     const Box page = view.page();
     const std::string title = picture_title(car, slot, unit) + ": " + std::string(why);

@@ -131,7 +131,7 @@ void define_car(py::module_& module) {
     type.def_static(
         "from_dict",
         [](const py::dict& keys) {
-            return car_from_json(py::str(py::module_::import("json").attr("dumps")(keys)), "car");
+            return car_from_json(std::string(py::str(py::module_::import("json").attr("dumps")(keys))), "car");
         },
         "from_dict(keys, /)\n--\n\n"
         "The car that a car file with these keys describes, as `snug cars --help` lists them: also overhangs,\n"
