@@ -178,20 +178,29 @@ void define_entry(py::module_& module) {
             "subrange", [](const HeadingRange& r) { return r.subrange; },
             "Ranges that touch share it: the paper's subranges.")
         .finish();
-    Value<Answer>(module, "Answer", "What entry() found.")
+    Value<Answer>(module, "Answer", "What entry(), fewest() or leave() found, and what is proved.")
+        .property(
+            "parkable", [](const Answer& a) { return a.parkable(); }, "Whether a maneuver was found.")
         .field(
-            "parkable", [](const Answer& a) { return a.parkable(); }, "Whether the car parks.")
-        .field(
-            "cancelled", [](const Answer& a) { return a.cancelled; }, "The progress callback gave up: no answer.")
+            "cancelled", [](const Answer& a) { return a.cancelled; }, "The progress callback gave up.")
         .field(
             "direction_changes", [](const Answer& a) { return a.direction_changes; },
-            "The fewest; None when not parkable.")
+            "The fewest that a maneuver was found for; None where none was.")
+        .field(
+            "lower_bound", [](const Answer& a) { return a.lower_bound; },
+            "Nothing that was asked about has fewer; more than max_changes: the car cannot park with as many.")
+        .field(
+            "proved", [](const Answer& a) { return a.proved; },
+            "The two meet, or the lower bound exceeds what is allowed.")
         .field(
             "ranges", [](const Answer& a) { return py::tuple(py::cast(a.ranges)); },
-            "A tuple of HeadingRange in rising order.")
+            "Of entry(): a tuple of HeadingRange in rising order.")
         .field(
             "maneuver", [](const Answer& a) { return a.maneuver; },
-            "Fewest changes, from the middle of the widest best range; None when not parkable.")
+            "One best maneuver: of entry() from the middle of the widest best range, of the others the roomiest found.")
+        .field(
+            "spacing", [](const Answer& a) { return a.spacing; },
+            "Of fewest() and leave(): of the finest lattice that was needed [m]; 0 if none was.")
         .finish();
     define(
         module,
@@ -300,23 +309,6 @@ void define_fewest(py::module_& module) {
         .field(
             "part", [](const FewestProgress& p) { return p.part; }, "Of the time limit gone, 0 to 1.")
         .finish();
-    Value<Answer>(module, "Answer", "What fewest() or leave() found, and what is proved.")
-        .field(
-            "direction_changes", [](const Answer& a) { return a.direction_changes; },
-            "What `maneuver` needs; None when no maneuver was found.")
-        .field(
-            "lower_bound", [](const Answer& a) { return a.lower_bound; },
-            "No maneuver whatsoever has fewer; more than max_changes: the car cannot park with as many as are allowed.")
-        .field(
-            "proved", [](const Answer& a) { return a.proved; },
-            "The two meet, or the lower bound exceeds what is allowed.")
-        .field(
-            "maneuver", [](const Answer& a) { return a.maneuver; },
-            "Few arcs and straight lines; of all with that many changes the roomiest found.")
-        .field(
-            "spacing", [](const Answer& a) { return a.spacing; },
-            "Of the finest lattice that was needed [m]; 0 if none was.")
-        .finish();
     const std::string parameters =
         "*, max_changes=200, clearance=0.0, enter='backward', resolution=0.0, time_limit=None, roomiest=True, "
         "progress=None)";
@@ -324,7 +316,7 @@ void define_fewest(py::module_& module) {
         "`resolution` is the spacing of the finest lattice [m], 0 a ten-thousandth of the car's length; `time_limit` "
         "[s]\n"
         "ends with the bounds found so far; `roomiest=False` takes any maneuver with that many changes. `progress` is\n"
-        "told a FewestProgress; returning False ends with the bounds found so far. Returns a Answer.";
+        "told a FewestProgress; returning False ends with the bounds found so far. Returns an Answer.";
     define(
         module, "fewest(car, slot, " + parameters,
         "The smallest number of direction changes with which the car can enter the slot, whatever way it is steered\n"

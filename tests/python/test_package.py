@@ -98,7 +98,7 @@ def test_pictures_of_little(pyplot):
     (lambda: snug.plot.maneuver(None, SLOT), TypeError, "maneuver must be a snug.Maneuver"),
     (lambda: snug.plot.maneuver(snug.Maneuver(CAR, []), SLOT), snug.Error, "no moves"),
     (lambda: snug.plot.maneuver(snug.entry(CAR, SLOT).maneuver, CAR), TypeError, "slot must be a snug.Slot"),
-    (lambda: snug.plot.ranges(SLOT), TypeError, "answer must be a snug.EntryAnswer"),
+    (lambda: snug.plot.ranges(SLOT), TypeError, "answer must be a snug.Answer"),
     (lambda: snug.plot.min_slots([2.0], [1], [3.0]), TypeError, "slots must be"),
     (lambda: snug.plot.min_slots([2.0, 2.1], [1], snug.min_lengths(CAR, [2.0], [1])), snug.Error, "slots has the shape"),
 ])

@@ -48,7 +48,8 @@ def random_car(rng, folder):
     car = snug.Car(name="random", width=rng.uniform(1.4, 2.2), front=wheelbase + rng.uniform(0.4, 1.2),
                    rear=rng.uniform(0.3, 1.3), wheelbase=wheelbase, max_steer=rng.uniform(0.4, 0.9))
     file = folder / "car.json"
-    file.write_text(json.dumps({name: getattr(car, name) for name in car.__match_args__}))
+    fields = {name: getattr(car, name) for name in car.__match_args__}
+    file.write_text(json.dumps({name: value for name, value in fields.items() if value is not None}))
     assert json.loads(file.read_text())["max_steer"] == car.max_steer
     return car, file
 

@@ -318,7 +318,7 @@ def maneuver(maneuver: _snug.Maneuver, slot: _snug.Slot, ax: Axes | None = None,
     return ax
 
 
-def entries(car: _snug.Car, slot: _snug.Slot, answer: _snug.EntryAnswer, ax: Axes | None = None, *, frames: int = 14,
+def entries(car: _snug.Car, slot: _snug.Slot, answer: _snug.Answer, ax: Axes | None = None, *, frames: int = 14,
             clearance: float = 0.0, enter: str = "backward") -> Axes:
     """Draws the fan of entry positions found and their goals, to scale.
 
@@ -326,7 +326,7 @@ def entries(car: _snug.Car, slot: _snug.Slot, answer: _snug.EntryAnswer, ax: Axe
     green. `clearance` and `enter` are what entry() was asked with.
     """
     _is(car, _snug.Car, "car")
-    _is(answer, _snug.EntryAnswer, "answer")
+    _is(answer, _snug.Answer, "answer")
     view = _View(slot)
     ax = _axes(ax, 9.0, 5.0)
     total = sum(r.max - r.min for r in answer.ranges)
@@ -379,9 +379,9 @@ def _shade(position: float) -> Any:
     return _pyplot().get_cmap("viridis")(0.88 * position)
 
 
-def ranges(answer: _snug.EntryAnswer, ax: Axes | None = None) -> Axes:
+def ranges(answer: _snug.Answer, ax: Axes | None = None) -> Axes:
     """Draws the ranges of entry headings over their direction changes."""
-    _is(answer, _snug.EntryAnswer, "answer")
+    _is(answer, _snug.Answer, "answer")
     ax = _axes(ax, 8.0, 3.0)
     _plain(ax)
     counts = sorted({r.direction_changes for r in answer.ranges})
