@@ -225,7 +225,7 @@ TEST(OutlineLaws, ACarInsideAnotherCarNeedsNoMoreChanges) {
     for (int i = 0; i < comparisons(); ++i) {
         Case asked = random_outline_case(seed + 8, std::uint64_t(i));
         asked.parked.curb = std::numeric_limits<double>::infinity();  // the smaller one has farther to go there
-        asked.driving.enter = snug::Enter::backward;  // nose first, of a smaller nose less stays in
+        asked.driving.enter = snug::Enter::backward;                  // nose first, of a smaller nose less stays in
         Random random(std::uint64_t(i) + 1);
         Case smaller = asked;
         // Towards the rear axle's middle, each corner as much as it likes: what remains convex is inside.
