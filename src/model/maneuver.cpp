@@ -46,11 +46,10 @@ void cover_move(GrowingBox& swept, const Car& car, const Move& move) {
     const double lowest = std::min(move.start.heading, move.start.heading + turn);
     const double highest = std::max(move.start.heading, move.start.heading + turn);
 
-    const std::vector<Point>& corners = car.outline().corners();  // x ahead of the rear axle centre, y to its left
-    for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (const Point& corner : car.outline().corners()) {
         // Seen from the car, the corner always moves the same way; it moves along an axis of the world whenever
         // heading + drift is a whole number of quarter turns.
-        const double drift = angles::atan2(curvature * corners[i].x, 1.0 - curvature * corners[i].y);
+        const double drift = angles::atan2(curvature * corner.x, 1.0 - curvature * corner.y);
         const double first = std::ceil((lowest + drift) / quarter_turn);
         for (int k = 0; k < 4; ++k) {  // a full circle has four such points
             const double heading = (first + k) * quarter_turn - drift;
@@ -60,7 +59,7 @@ void cover_move(GrowingBox& swept, const Car& car, const Move& move) {
             const double distance = std::abs((heading - move.start.heading) / curvature);
             const Pose pose = drive(car, move.start, move.direction, move.steering_angle, distance);
             const auto [s, c] = angles::sine_cosine(pose.heading);
-            swept.cover({pose.x + corners[i].x * c - corners[i].y * s, pose.y + corners[i].x * s + corners[i].y * c});
+            swept.cover({pose.x + corner.x * c - corner.y * s, pose.y + corner.x * s + corner.y * c});
         }
     }
 }
