@@ -33,6 +33,7 @@ std::vector<Border> borders(const Problem& problem) {
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Point& from = corners[i];
             const Point& to = corners[(i + 1) % corners.size()];
+            if (to.x == from.x || to.y == from.y) continue;  // at the quarter's end
             const double length = angles::hypot(to.x - from.x, to.y - from.y);
             // Level where the heading is opposite to the edge's direction, and every quarter turn from there.
             Point border = {(to.x - from.x) / length, (from.y - to.y) / length};
@@ -40,6 +41,7 @@ std::vector<Border> borders(const Problem& problem) {
             if (border.y > one_border && border.x > one_border) found.push_back({border.x, border.y});
         }
     }
+    found.reserve(found.size() + 1);
     std::sort(found.begin(), found.end(), [](const Border& a, const Border& b) { return a.s - a.c > b.s - b.c; });
     const auto same = [](const Border& a, const Border& b) { return std::abs(a.c * b.s - a.s * b.c) <= one_border; };
     found.erase(std::unique(found.begin(), found.end(), same), found.end());
@@ -88,7 +90,7 @@ std::vector<Point> directions(const Outline& body) {
         const Point& next = corners[i + 1 == corners.size() ? 0 : i + 1];
         const double x = next.x - corners[i].x;
         const double y = next.y - corners[i].y;
-        const double length = angles::hypot(x, y);
+        const double length = x == 0.0 ? std::abs(y) : y == 0.0 ? std::abs(x) : angles::hypot(x, y);
         ways[i] = {x / length, y / length};
     }
     return ways;
