@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "baselines/plain.hpp"
 #include "baselines/stepping_entry.hpp"
 #include "contact/entering.hpp"
 #include "full_steering/widest_range.hpp"
@@ -332,6 +333,7 @@ MaxSteerRun stepping(const Car& car, const Slot& slot, double heading, const Ste
     check_steps(car, steps);
     detail::check_entry_heading(heading);
     detail::check(options);
+    detail::check_plain("stepping", car, slot, options.driving, options.parked);
 
     const Algorithm algorithm(car, slot, options.driving.enter, options.driving.clearance, steps);
     MaxSteerRun run{Outcome::no_entry, {car, {}}};
@@ -370,6 +372,7 @@ MaxSteerRun stepping(const Car& car, const Slot& slot, double heading, const Ste
 
 Answer stepping_entry(const Car& car, const Slot& slot, const EntryOptions& options, const Stepping& steps) {
     check_steps(car, steps);
+    detail::check_plain("stepping", car, slot, options.driving, options.parked);
     const Algorithm algorithm(car, slot, options.driving.enter, options.driving.clearance, steps);
 
     const auto samples = static_cast<std::size_t>(std::floor(quarter_turn / steps.heading_step)) + 1;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "baselines/plain.hpp"
 #include "contact/entering.hpp"
 #include "full_steering/heading_ranges.hpp"
 #include "model/angles.hpp"
@@ -300,6 +301,7 @@ std::vector<Move> next_trial(const Ground& ground, const Pose& pose, Direction d
 std::optional<Maneuver> reversed_trials(const Car& car, const Slot& slot, const ReversedTrials& trials,
                                         const MaxSteerOptions& options) {
     check(options);
+    check_plain("trials", car, slot, options.driving, options.parked);
     check_finite(trials.goal);
     if (!fits(car, slot, options.driving.clearance)) return std::nullopt;
     const Ground ground(car, slot, options);
@@ -315,6 +317,7 @@ std::optional<Maneuver> reversed_trials(const Car& car, const Slot& slot, const 
 std::optional<Maneuver> parallel_trials(const Car& car, const Slot& slot, const ParallelTrials& trials,
                                         const MaxSteerOptions& options) {
     check(options);
+    check_plain("trials", car, slot, options.driving, options.parked);
     check_finite(trials.goal);
     if (!fits(car, slot, options.driving.clearance)) return std::nullopt;
     const Ground ground(car, slot, options);

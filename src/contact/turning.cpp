@@ -33,6 +33,7 @@ std::vector<Border> borders(const Problem& problem) {
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Point& from = corners[i];
             const Point& to = corners[(i + 1) % corners.size()];
+            if (to.x == from.x || to.y == from.y) continue;  // at the quarter's end
             const double length = angles::hypot(to.x - from.x, to.y - from.y);
             // Level where the heading is opposite to the edge's direction, and every quarter turn from there.
             Point border = {(to.x - from.x) / length, (from.y - to.y) / length};
@@ -40,6 +41,7 @@ std::vector<Border> borders(const Problem& problem) {
             if (border.y > one_border && border.x > one_border) found.push_back({border.x, border.y});
         }
     }
+    found.reserve(found.size() + 1);
     std::sort(found.begin(), found.end(), [](const Border& a, const Border& b) { return a.s - a.c > b.s - b.c; });
     const auto same = [](const Border& a, const Border& b) { return std::abs(a.c * b.s - a.s * b.c) <= one_border; };
     found.erase(std::unique(found.begin(), found.end(), same), found.end());
@@ -47,16 +49,29 @@ std::vector<Border> borders(const Problem& problem) {
     return found;
 }
 
-/// The corner of an outline that leads in a direction of the turned car's quarter.
-TurningCorner leading(const Outline& outline, int quarter, const Point& centre, const Point& towards) {
+/// Moves on to the corner of an outline that leads in a direction of the turned car's quarter; from one sector to the next
+/// it is a neighbour, and mostly the same.
+void lead(TurningCorner& corner, const Outline& outline, int quarter, const Point& centre, const Point& towards) {
     const std::vector<Point>& corners = outline.corners();
+    const std::size_t count = corners.size();
     const Point own = turned(towards, -quarter);
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-        if ((corners[i].x - corners[best].x) * own.x + (corners[i].y - corners[best].y) * own.y > 0.0) best = i;
-    }
-    const Point corner = turned(corners[best], quarter);
-    return {corner.x - centre.x, corner.y - centre.y, static_cast<int>(best)};
+    const auto ahead_of = [&](std::size_t a, std::size_t b) {
+        return (corners[a].x - corners[b].x) * own.x + (corners[a].y - corners[b].y) * own.y > 0.0;
+    };
+    std::size_t best = static_cast<std::size_t>(corner.index);
+    for (std::size_t next; ahead_of(next = best + 1 == count ? 0 : best + 1, best);) best = next;
+    for (std::size_t next; ahead_of(next = best == 0 ? count - 1 : best - 1, best);) best = next;
+    if (corner.radius > 0.0 && static_cast<int>(best) == corner.index) return;
+    const Point seen = turned(corners[best], quarter);
+    corner = {seen.x - centre.x, seen.y - centre.y, static_cast<int>(best)};
+}
+
+/// The most that a c + b s is between two borders.
+double most_between(double a, double b, const Border& begin, const Border& end) {
+    const double radius = std::sqrt(a * a + b * b);
+    const double order = (b - a) / radius;
+    if (a >= 0.0 && b >= 0.0 && order <= begin.s - begin.c && order >= end.s - end.c) return radius;
+    return std::max(a * begin.c + b * begin.s, a * end.c + b * end.s);
 }
 
 /// order() of the heading at which the corner is straight below the centre, if that lies between two borders.
@@ -67,32 +82,56 @@ double below_centre(const TurningCorner& corner, double begin_order, double end_
     return order <= begin_order && order >= end_order ? order : never;
 }
 
-/// The edges of the body from one corner on to another that a point turning counter-clockwise about the centre can enter over.
-void add_edges(TurningFrame& frame, const Outline& body, int quarter, const Point& centre, int from, int to,
-               std::uint32_t& begin, std::uint32_t& end) {
+/// The directions of the body's edges.
+std::vector<Point> directions(const Outline& body) {
     const std::vector<Point>& corners = body.corners();
-    const int count = static_cast<int>(corners.size());
-    const auto seen = [&](int i) {
-        const Point corner = turned(corners[static_cast<std::size_t>((i + count) % count)], quarter);
+    std::vector<Point> ways(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point& next = corners[i + 1 == corners.size() ? 0 : i + 1];
+        const double x = next.x - corners[i].x;
+        const double y = next.y - corners[i].y;
+        const double length = x == 0.0 ? std::abs(y) : y == 0.0 ? std::abs(x) : angles::hypot(x, y);
+        ways[i] = {x / length, y / length};
+    }
+    return ways;
+}
+
+/// The edges of the body from one corner on to another that a point turning counter-clockwise about the centre can enter over.
+void add_edges(TurningFrame& frame, const Problem& problem, const std::vector<Point>& ways, int quarter,
+               const Point& centre, int from, int to, std::uint32_t& begin, std::uint32_t& end) {
+    const std::vector<Point>& corners = problem.body.corners();
+    const std::size_t count = corners.size();
+    const auto seen = [&](std::size_t i) {
+        const Point corner = turned(corners[i], quarter);
         return Point{corner.x - centre.x, corner.y - centre.y};
     };
-    const auto direction = [&](int i) {
-        const Point a = seen(i);
-        const Point b = seen(i + 1);
-        const double length = angles::hypot(b.x - a.x, b.y - a.y);
-        return Point{(b.x - a.x) / length, (b.y - a.y) / length};
-    };
     const auto along = [](const Point& point, const Point& way) { return point.x * way.x + point.y * way.y; };
+    const double margin = 4.0 * problem.touch;
     begin = static_cast<std::uint32_t>(frame.edges.size());
-    for (int i = from; i != to; i = (i + 1) % count) {
-        const Point way = direction(i);
+    for (std::size_t i = static_cast<std::size_t>(from); i != static_cast<std::size_t>(to);) {
+        const std::size_t next = i + 1 == count ? 0 : i + 1;
+        const Point way = turned(ways[i], quarter);
         const Point a = seen(i);
-        const Point b = seen(i + 1);
-        if (!(along(b, way) > 0.0)) continue;
-        const double distance = a.x * way.y - a.y * way.x;
-        frame.edges.push_back({way.y, -way.x, distance, along(a, way), along(b, way), along(a, direction(i - 1)) <= 0.0,
-                               along(b, direction(i + 1)) <= 0.0});
-        frame.edge_indices.push_back(i);
+        const Point b = seen(next);
+        const double last = along(b, way);
+        if (last > 0.0) {
+            const double first = along(a, way);
+            const double distance = a.x * way.y - a.y * way.x;
+            const double near = std::max(0.0, first - margin);
+            const double far = last + margin;
+            TurningEdge& edge = frame.edges.emplace_back();
+            edge.nx = way.y;
+            edge.ny = -way.x;
+            edge.distance = distance;
+            edge.from = first;
+            edge.to = last;
+            edge.slips_back = along(a, turned(ways[i == 0 ? count - 1 : i - 1], quarter)) <= 0.0;
+            edge.slips_on = along(b, turned(ways[next], quarter)) <= 0.0;
+            edge.nearest_square = (near * near + distance * distance) * (1.0 - 1e-12);
+            edge.farthest_square = (far * far + distance * distance) * (1.0 + 1e-12);
+            edge.index = static_cast<int>(i);
+        }
+        i = next;
     }
     end = static_cast<std::uint32_t>(frame.edges.size());
 }
@@ -109,13 +148,20 @@ QuarterHeading in_quarters(double heading) {
 TurningFrame turning_frame(const Problem& problem, double offset) {
     TurningFrame frame;
     const std::vector<Border> ends = borders(problem);
+    const std::vector<Point> ways = directions(problem.body);
     frame.per_quarter = static_cast<int>(ends.size());
-    frame.sectors.reserve(4 * ends.size());
+    frame.sectors.resize(4 * ends.size());
+    frame.edges.reserve(4 * ends.size() + 4 * ways.size());
+    const double margin = 4.0 * problem.touch;
+    std::size_t index = 0;
     for (int quarter = 0; quarter < 4; ++quarter) {
         const Point centre = turned({0.0, offset}, quarter);
         Border begin = {0.0, 1.0};
+        bool another_quarter = true;
         for (const Border& end : ends) {
-            Sector& sector = frame.sectors.emplace_back();
+            Sector& sector = frame.sectors[index];
+            const Sector& before = index == 0 ? sector : frame.sectors[index - 1];
+            ++index;
             sector.end_c = end.c;
             sector.end_s = end.s;
             const double begin_order = begin.s - begin.c;
@@ -127,21 +173,30 @@ TurningFrame turning_frame(const Problem& problem, double offset) {
             const Point right = {c, -s};
             const Point left = {-c, s};
             const Point up = {s, c};
-            sector.lowest = leading(problem.body, quarter, centre, down);
-            sector.leftmost = leading(problem.body, quarter, centre, left);
-            sector.rightmost = leading(problem.body, quarter, centre, right);
-            sector.at_curb = leading(problem.at_curb, quarter, centre, down);
-            sector.top = leading(problem.frame, quarter, centre, up);
-            sector.frame_low = leading(problem.frame, quarter, centre, down);
-            sector.frame_left = leading(problem.frame, quarter, centre, left);
-            sector.frame_right = leading(problem.frame, quarter, centre, right);
+            const auto leads = [&](TurningCorner Sector::*corner, const Outline& outline, const Point& towards) {
+                sector.*corner = before.*corner;
+                if (another_quarter) (sector.*corner).radius = 0.0;
+                lead(sector.*corner, outline, quarter, centre, towards);
+            };
+            leads(&Sector::lowest, problem.body, down);
+            leads(&Sector::leftmost, problem.body, left);
+            leads(&Sector::rightmost, problem.body, right);
+            leads(&Sector::at_curb, problem.at_curb, down);
+            leads(&Sector::top, problem.frame, up);
+            leads(&Sector::frame_low, problem.frame, down);
+            leads(&Sector::frame_left, problem.frame, left);
+            leads(&Sector::frame_right, problem.frame, right);
+            sector.reaches_right = most_between(sector.rightmost.x, -sector.rightmost.y, begin, end) + margin;
+            sector.reaches_left = most_between(-sector.leftmost.x, sector.leftmost.y, begin, end) + margin;
+            sector.reaches_down = most_between(-sector.at_curb.y, -sector.at_curb.x, begin, end) + margin;
             sector.graze_order = below_centre(sector.at_curb, begin_order, end_order);
             sector.dip_order = below_centre(sector.top, begin_order, end_order);
-            add_edges(frame, problem.body, quarter, centre, sector.lowest.index, sector.rightmost.index,
+            add_edges(frame, problem, ways, quarter, centre, sector.lowest.index, sector.rightmost.index,
                       sector.front_edges, sector.front_edges_end);
-            add_edges(frame, problem.body, quarter, centre, sector.leftmost.index, sector.lowest.index,
+            add_edges(frame, problem, ways, quarter, centre, sector.leftmost.index, sector.lowest.index,
                       sector.rear_edges, sector.rear_edges_end);
             begin = end;
+            another_quarter = false;
         }
     }
     return frame;
@@ -152,7 +207,7 @@ int part_met(const TurningFrame& frame, const Sector& sector, Meets meets, int e
         case Meets::front_side: return sector.rightmost.index;
         case Meets::rear_side: return sector.leftmost.index;
         case Meets::front_corner:
-        case Meets::rear_corner: return frame.edge_indices[static_cast<std::size_t>(edge)];
+        case Meets::rear_corner: return frame.edges[static_cast<std::size_t>(edge)].index;
         case Meets::front_top:
         case Meets::rear_top: return sector.lowest.index;
         default: return sector.at_curb.index;

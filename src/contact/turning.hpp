@@ -110,16 +110,24 @@ struct Sector {
     /// order() of the heading at which the corner at the curb is lowest, and the top is lowest; infinite if not in the sector.
     double graze_order = std::numeric_limits<double>::infinity();
     double dip_order = std::numeric_limits<double>::infinity();
+    /// The most that these corners, and what stops at the curb, come to lie to the right, to the left and below the centre,
+    /// and a little more: no obstacle farther off need be looked at. [m]
+    double reaches_right = 0.0, reaches_left = 0.0, reaches_down = 0.0;
     /// The edges from the lowest to the rightmost corner over which the front neighbour's corner can enter, and from the
     /// leftmost to the lowest, for the rear one's.
     std::uint32_t front_edges = 0, front_edges_end = 0, rear_edges = 0, rear_edges_end = 0;
 };
 
+/// An edge of the body, and how near and how far from the centre a point must be to meet it.
+struct TurningEdge : SeenEdge<Plain<double>> {
+    double nearest_square, farthest_square;  ///< a little less and a little more [m^2]
+    int index;                               ///< in the outline: an edge follows its corner
+};
+
 /// The outline all around one turning centre.
 struct TurningFrame {
     std::vector<Sector> sectors;  ///< quarter by quarter, as many in each, in the order of falling headings
-    std::vector<SeenEdge<Plain<double>>> edges;
-    std::vector<int> edge_indices;  ///< in the outline: an edge follows its corner
+    std::vector<TurningEdge> edges;
     int per_quarter = 1;
 
     /// The sector of a quarter, counted on from the quarter's first.
@@ -148,13 +156,19 @@ inline First<Plain<double>> first_in_sector(const TurningFrame& frame, const Sec
     const Surroundings<double> around = {
         x, y, problem.length, y + problem.width, y + problem.front_setback, y + problem.rear_setback, problem.touch};
     First<Plain<double>> first(start_c, start_s, sector.end_order);
-    first.corners_meet(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around);
-    for (std::uint32_t i = sector.front_edges; i != sector.front_edges_end; ++i)
-        first.edge_meets_corner(frame.edges[i], -x, -around.above_front, problem.touch, Meets::front_corner,
-                                static_cast<int>(i));
-    for (std::uint32_t i = sector.rear_edges; i != sector.rear_edges_end; ++i)
-        first.edge_meets_corner(frame.edges[i], -x - problem.length, -around.above_rear, problem.touch,
-                                Meets::rear_corner, static_cast<int>(i));
+    first.corners_meet(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around,
+                       {sector.reaches_right >= -x, sector.reaches_left >= x + problem.length,
+                        sector.reaches_down >= around.above_curb});
+    const auto edges_meet = [&](std::uint32_t from, std::uint32_t to, double gx, double gy, Meets meets) {
+        const double square = gx * gx + gy * gy;
+        for (std::uint32_t i = from; i != to; ++i) {
+            const TurningEdge& edge = frame.edges[i];
+            if (square >= edge.nearest_square && square <= edge.farthest_square)
+                first.edge_meets_corner(edge, gx, gy, problem.touch, meets, static_cast<int>(i));
+        }
+    };
+    edges_meet(sector.front_edges, sector.front_edges_end, -x, -around.above_front, Meets::front_corner);
+    edges_meet(sector.rear_edges, sector.rear_edges_end, -x - problem.length, -around.above_rear, Meets::rear_corner);
     first.settle();
     return first;
 }

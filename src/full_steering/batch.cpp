@@ -125,9 +125,10 @@ std::vector<int> direction_changes(const Car& car, const std::vector<Slot>& slot
     check_as_many(slots.size(), headings.size());
     check_headings(headings);
     // The outlines of an odd car, and those that a low curb stops, are others for other slots.
-    const auto kind = [&](const Slot& slot) {
-        return std::pair(slot.curb(), car.outline() == car.outline().mirrored() ? Side::right : slot.side());
-    };
+    const bool even = car.outline() == car.outline().mirrored();
+    const auto kind = [even](const Slot& slot) { return std::pair(slot.curb(), even ? Side::right : slot.side()); };
+    if (std::all_of(slots.begin(), slots.end(), [&](const Slot& slot) { return kind(slot) == kind(slots.front()); }))
+        return slots.empty() ? std::vector<int>() : drive_all(car, slots.front(), &slots, headings, options);
     std::vector<int> changes(slots.size(), -1);
     std::vector<bool> done(slots.size(), false);
     for (std::size_t next = 0; next < slots.size(); ++next) {

@@ -186,7 +186,7 @@ private:
             case Meets::rear_side: return slope_of_root(-x_slope_, contact.across);
             case Meets::front_corner:
             case Meets::rear_corner: {
-                const SeenEdge<Plain<double>>& edge = frame.edges[static_cast<std::size_t>(contact.edge)];
+                const TurningEdge& edge = frame.edges[static_cast<std::size_t>(contact.edge)];
                 const double nx = edge.nx * at.c - edge.ny * at.s;
                 const double ny = edge.nx * at.s + edge.ny * at.c;
                 return slope_of_root(nx * x_slope_ + ny * y_slope_, contact.across);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double least_gap = 1e-13;  ///< between the two sides of a root; beyond rounding, short of any range [rad]
-constexpr std::size_t most_moves = 300'000'000;
+constexpr std::size_t most_moves = 30'000'000;
 constexpr int never = std::numeric_limits<int>::max();
 
 /// What `move` met, and what else it may come to meet in a quarter turn without a jump: the car rolls from an edge onto
@@ -99,6 +99,8 @@ public:
             std::erase_if(ranges, [this](const CountedHeadings& range) { return range.changes != limit_; });
         return ranges;
     }
+
+    [[nodiscard]] SearchWork work() const { return {moves_driven_, !given_up_ && moves_driven_ <= most_moves}; }
 
 private:
     /// One run of the strategy: `count` moves in moves_ from `first`.
@@ -358,8 +360,11 @@ private:
 }  // namespace
 
 std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, Find find,
-                                            const Progress& progress) {
-    return Search(steering, max_changes, find, progress).run();
+                                            const Progress& progress, SearchWork* work) {
+    Search search(steering, max_changes, find, progress);
+    std::vector<CountedHeadings> ranges = search.run();
+    if (work != nullptr) *work = search.work();
+    return ranges;
 }
 
 std::vector<Stretch> stretches(const std::vector<CountedHeadings>& ranges, int changes, double width) {

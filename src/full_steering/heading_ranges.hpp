@@ -23,13 +23,19 @@ enum class Find { all, fewest, any };
 /// Told the part done from time to time; returning false gives up.
 using Progress = std::function<bool(double)>;
 
+/// What a search took, and whether it looked everywhere it should.
+struct SearchWork {
+    std::size_t moves = 0;
+    bool complete = true;  ///< not given up, and within the bound
+};
+
 /// All ranges, or those with the smallest count there is, or one to show that there is any. Empty when given up.
 ///
 /// A car and a slot whose dimensions differ by many orders of magnitude can be beyond the resolution of doubles, and
-/// rounding then makes pieces without end; so the search stops splitting after 300 million moves, a hundred times what
-/// any car needs that can be built.
+/// rounding then makes pieces without end; so the search stops splitting after 30 million moves, ten times what any car
+/// needs that can be built. `work`, if given, says so.
 std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int max_changes, Find find,
-                                            const Progress& progress = {});
+                                            const Progress& progress = {}, SearchWork* work = nullptr);
 
 /// Ranges this close touch. [rad]
 inline constexpr double one_subrange = 1e-11;

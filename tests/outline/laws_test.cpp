@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "contact/entering.hpp"
+#include "full_steering/heading_ranges.hpp"
 #include "oracle/random_outlines.hpp"
 #include "sample.hpp"
 
@@ -288,6 +290,25 @@ TEST(OutlineLaws, AskingLessOfTheParkedCarIsNoHarder) {
         loose.parked.heading *= random.between(1, 3);
         loose.parked.curb += random.between(0, 0.3);
         expect_no_harder(loose, strict);
+    }
+}
+
+/// A rounded car has many more sectors than a rectangle, each with kinks at its borders; the search must not drown in them.
+TEST(OutlineLaws, RoundedCarsAreSearchedInFewMoves) {
+    const snug::Car car(snug::Outline::rounded(3.427, 0.657, 0.8855, 0.4, 0.25), 2.588, 33.0 * 0.017453292519943295,
+                        "");
+    for (const snug::Enter enter : {snug::Enter::backward, snug::Enter::forward}) {
+        for (const double longer : {0.3, 0.5, 0.9, 1.3}) {
+            const snug::Slot slot({.length = car.length() + longer, .width = car.width() + 0.1});
+            const snug::detail::FullSteering steering(snug::detail::entering_problem(car, slot, {.enter = enter}));
+            for (const int most : {4, 8, 14}) {
+                snug::detail::SearchWork work;
+                snug::detail::heading_ranges(steering, most, snug::detail::Find::all, {}, &work);
+                SCOPED_TRACE(testing::Message() << longer << ' ' << most << ' ' << int(enter));
+                EXPECT_TRUE(work.complete);
+                EXPECT_LT(work.moves, 50'000U);
+            }
+        }
     }
 }
 

@@ -355,5 +355,27 @@ TEST(Stepping, RefusesImpossibleOptions) {
     EXPECT_THROW((void)stepping(large, Slot({3e5, 2e5}), 0.4, {.step = 1e-7}), Error);
 }
 
+TEST(Stepping, RefusesWhatItWouldLeaveOut) {
+    const Car car = *find_car("renault-zoe");
+    const Car rounded(Outline::rounded(3.4, 0.7, 0.9, 0.4, 0.25), 2.6, 0.5, "rounded");
+    const auto refuses = [](const Car& asked, const SlotDimensions& dimensions, const Driving& driving,
+                            const Parked& parked) {
+        const Slot slot(dimensions);
+        EXPECT_THROW((void)stepping(asked, slot, 0.4, {}, {200, driving, parked}), Error);
+        EntryOptions options;
+        options.driving = driving;
+        options.parked = parked;
+        EXPECT_THROW((void)stepping_entry(asked, slot, options, {}), Error);
+    };
+    refuses(rounded, {4.5, 2.0}, {}, {});
+    refuses(car, {.length = 4.5, .width = 2.0, .front_setback = 0.1}, {}, {});
+    refuses(car, {.length = 4.5, .width = 2.0, .rear_setback = 0.1}, {}, {});
+    refuses(car, {.length = 4.5, .width = 2.0, .curb = Curb::low}, {}, {});
+    refuses(car, {4.5, 2.0}, {.curb_clearance = 0.1}, {});
+    refuses(car, {4.5, 2.0}, {}, {.heading = 0.1});
+    refuses(car, {4.5, 2.0}, {}, {.curb = 0.1});
+    EXPECT_NO_THROW((void)stepping(car, Slot({4.5, 2.0}), 0.4, {}, {200, {0.05, 0.05}, {}}));
+}
+
 }  // namespace
 }  // namespace snug

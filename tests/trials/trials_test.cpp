@@ -265,5 +265,21 @@ TEST(Trials, RefuseImpossibleGoalsByName) {
     EXPECT_NE(refusal([] { static_cast<void>(blackburn_extra_length(zoe, 40.0)); }), "");
 }
 
+TEST(Trials, RefuseWhatTheyWouldLeaveOut) {
+    const auto ask = [](const Car& car, const SlotDimensions& slot, const MaxSteerOptions& options) {
+        const std::string reversed = refusal([&] { static_cast<void>(reversed_trials(car, Slot(slot), {}, options)); });
+        const std::string parallel = refusal([&] { static_cast<void>(parallel_trials(car, Slot(slot), {}, options)); });
+        EXPECT_EQ(reversed, parallel);
+        return reversed;
+    };
+    const Car rounded(Outline::rounded(3.4, 0.7, 0.9, 0.4, 0.25), 2.6, 0.5, "rounded");
+    EXPECT_EQ(ask(zoe, {5.0, 2.0}, {}), "");
+    EXPECT_NE(ask(rounded, {5.0, 2.0}, {}).find("rectangle"), std::string::npos);
+    EXPECT_NE(ask(zoe, {.length = 5.0, .width = 2.0, .rear_setback = 0.1}, {}).find("set-back"), std::string::npos);
+    EXPECT_NE(ask(zoe, {.length = 5.0, .width = 2.0, .curb = Curb::low}, {}).find("low curb"), std::string::npos);
+    EXPECT_NE(ask(zoe, {5.0, 2.0}, {200, {.curb_clearance = 0.1}, {}}).find("curb clearance"), std::string::npos);
+    EXPECT_NE(ask(zoe, {5.0, 2.0}, {200, {}, {.heading = 0.1}}).find("parallel"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace snug
