@@ -31,6 +31,7 @@ void keep(CellAnswer& answer, const std::optional<Maneuver>& maneuver) {
 std::optional<CellAnswer> solve_max_steer(const Car& car, const Slot& slot, const AtlasOptions& options,
                                           const std::function<bool()>& go_on) {
     EntryOptions asked;
+    asked.prove = false;
     asked.max_changes = options.max_changes;
     asked.min_range = options.min_range;
     asked.driving.clearance = options.driving.clearance;

@@ -45,9 +45,10 @@ const std::vector<NamedStrategy> strategies = {
     {"max-steer", MaxSteer{}}, {"stepping-1mm", Stepping{.step = 1e-3}}, {"stepping-0.1mm", Stepping{.step = 1e-4}}};
 
 /// Problem 1: all ranges and the best maneuver. Stepping samples headings 1e-4 rad apart.
-void entry_of(benchmark::State& state, const Case& c, const Strategy& strategy) {
+void entry_of(benchmark::State& state, const Case& c, const Strategy& strategy, bool prove = false) {
     EntryOptions options;
     options.strategy = strategy;
+    options.prove = prove;
     Answer answer;
     for (auto _ : state) {
         answer = entry(c.car, c.slot, options);

@@ -1,12 +1,14 @@
 #include "snug/entry.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "baselines/stepping_entry.hpp"
 #include "contact/entering.hpp"
 #include "full_steering/heading_ranges.hpp"
+#include "full_steering/proof.hpp"
 #include "full_steering/widest_range.hpp"
 #include "model/check.hpp"
 
@@ -17,6 +19,7 @@ namespace {
 using namespace detail;
 
 constexpr int most_changes = 200;  ///< where the search ends unless told otherwise
+constexpr std::size_t most_proof_moves = 200'000;  ///< driven for a proof: some tenths of a second
 constexpr double inward = 2e-13;   ///< edges are moved this far into their range, beyond any rounding [rad]
 
 /// The smallest count for which some stretch of headings is wide enough; empty if there is none.
@@ -46,6 +49,101 @@ std::vector<HeadingRange> ranges_of(const std::vector<CountedHeadings>& found, i
     return ranges;
 }
 
+/// How many changes a single run from this heading parks with; -1 if it does not, with up to that many.
+int changes_from(const FullSteering& steering, double heading, int most) {
+    FullSteeringRun run(steering, heading);
+    for (int changes = 0; changes <= most; ++changes) {
+        const FullMove move = run.drive<false>();
+        if (move.stuck) return -1;
+        if (move.depth <= 0.0) return changes;
+        if (move.meets == Meets::nothing) return -1;
+    }
+    return -1;
+}
+
+bool parks_as_said(const FullSteering& steering, const CountedHeadings& range) {
+    return changes_from(steering, 0.5 * (range.min + range.max), range.changes) == range.changes;
+}
+
+/// A range whose middle does not park with its count is one that rounding made.
+void leave_out_noise(const FullSteering& steering, std::vector<CountedHeadings>& found, std::vector<Headings>& noise) {
+    std::erase_if(found, [&](const CountedHeadings& range) {
+        if (parks_as_said(steering, range)) return false;
+        noise.push_back({range.min, range.max});
+        return true;
+    });
+}
+
+/// Where the proof is to cut first: around the edges found, and here and there.
+ProofHints hints_from(const std::vector<CountedHeadings>& found, int changes) {
+    constexpr double beside = 1.5e-12;
+    constexpr double end = 1.57079632679489661923;
+    ProofHints hints{changes, {}};
+    for (int i = 1; i < 16; ++i) hints.headings.push_back(end * i / 16);
+    for (const CountedHeadings& range : found)
+        hints.headings.insert(hints.headings.end(),
+                              {range.min - beside, range.min + beside, range.max - beside, range.max + beside});
+    std::sort(hints.headings.begin(), hints.headings.end());
+    return hints;
+}
+
+/// What holds at a heading: a count, -1 for none.
+int count_at(const std::vector<CountedHeadings>& ranges, double heading) {
+    const auto after = std::upper_bound(ranges.begin(), ranges.end(), heading,
+                                        [](double at, const CountedHeadings& range) { return at < range.min; });
+    return after != ranges.begin() && heading <= std::prev(after)->max ? std::prev(after)->changes : -1;
+}
+
+/// Puts what is proved beside what was found, in place: what was missed is added once a single run has shown it; what the
+/// two do not agree upon is undecided.
+void settle(const FullSteering& steering, std::vector<CountedHeadings>& found, const ProvedRanges& proved,
+            std::vector<Headings>& undecided) {
+    std::vector<double> edges;
+    for (const CountedHeadings& range : found) edges.insert(edges.end(), {range.min, range.max});
+    for (const CountedHeadings& range : proved.ranges) edges.insert(edges.end(), {range.min, range.max});
+    for (const Sliver& sliver : proved.undecided) edges.insert(edges.end(), {sliver.min, sliver.max});
+    std::sort(edges.begin(), edges.end());
+    std::vector<CountedHeadings> missed;
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+        const double min = edges[i - 1];
+        const double max = edges[i];
+        if (max - min <= one_subrange) continue;
+        const double at = 0.5 * (min + max);
+        const int said = count_at(found, at);
+        const int right = count_at(proved.ranges, at);
+        if (said == right) continue;
+        if (said < 0 && changes_from(steering, at, right) == right) {
+            missed.push_back({min, max, right});
+        } else {
+            undecided.push_back({min, max});
+        }
+    }
+    found.insert(found.end(), missed.begin(), missed.end());
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.min < b.min; });
+    for (const Sliver& sliver : proved.undecided)
+        if (sliver.max - sliver.min > one_subrange) undecided.push_back({sliver.min, sliver.max});
+    for (const CountedHeadings& range : proved.ranges) {  // too narrow to be compared
+        const bool known = std::any_of(found.begin(), found.end(), [&](const CountedHeadings& other) {
+            return other.min <= range.max + one_subrange && range.min <= other.max + one_subrange;
+        });
+        if (!known) undecided.push_back({range.min, range.max});
+    }
+}
+
+/// In rising order, those that touch as one.
+std::vector<Headings> joined(std::vector<Headings> parts) {
+    std::sort(parts.begin(), parts.end(), [](const Headings& a, const Headings& b) { return a.min < b.min; });
+    std::vector<Headings> whole;
+    for (const Headings& part : parts) {
+        if (!whole.empty() && part.min <= whole.back().max + one_subrange) {
+            whole.back().max = std::max(whole.back().max, part.max);
+        } else {
+            whole.push_back(part);
+        }
+    }
+    return whole;
+}
+
 Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& options) {
     Answer answer;
     const FullSteering steering(entering_problem(car, slot, options.driving, options.parked));
@@ -58,19 +156,41 @@ Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& opt
         };
     }
     const int limit = options.max_changes.value_or(most_changes);
+    std::vector<Headings> noise;
     std::vector<CountedHeadings> found =
         heading_ranges(steering, limit, options.max_changes ? Find::all : Find::fewest, progress);
-    if (found.empty()) return answer;
+    int allowed = options.max_changes || found.empty() ? limit : found.front().changes;
+    leave_out_noise(steering, found, noise);
     std::optional<int> fewest = fewest_changes(found, width);
-    if (!options.max_changes) {  // nothing wide enough: allow more changes, a few at first
-        int allowed = found.front().changes;
-        for (int more = 1; !fewest && allowed < limit && !answer.cancelled; more *= 2) {
-            allowed = std::min(allowed + more, limit);
-            found = heading_ranges(steering, allowed, Find::all, progress);
-            fewest = fewest_changes(found, width);
-        }
+    // Nothing wide enough: allow more changes, a few at first.
+    for (int more = 1; !fewest && allowed < limit && !answer.cancelled; more *= 2) {
+        allowed = std::min(allowed + more, limit);
+        found = heading_ranges(steering, allowed, Find::all, progress);
+        leave_out_noise(steering, found, noise);
+        fewest = fewest_changes(found, width);
     }
-    if (!fewest || answer.cancelled) return answer;
+    if (answer.cancelled) return answer;
+    answer.undecided = joined(std::move(noise));
+    if (options.prove) {
+        const int asked = options.max_changes ? limit : fewest.value_or(limit);
+        const bool all = options.max_changes || (fewest && !found.empty() && options.min_range > 0.0);
+        std::erase_if(found, [&](const CountedHeadings& range) { return range.changes > asked; });
+        const ProvedRanges proved =
+            prove_ranges(proof_problem(car, slot, options.driving, options.parked), asked,
+                         all ? Find::all : Find::fewest, hints_from(found, fewest ? asked : -1), {}, most_proof_moves);
+        // A smaller count than was found: no other is asked about.
+        const bool smaller = !all && !proved.ranges.empty() && (!fewest || proved.ranges.front().changes < *fewest);
+        const std::vector<CountedHeadings> before = found;
+        if (smaller) found.clear();
+        settle(steering, found, proved, answer.undecided);
+        if (smaller && !fewest_changes(found, width)) found = before;  // no run shows it
+        answer.undecided = joined(std::move(answer.undecided));
+        fewest = fewest_changes(found, width);
+        answer.proved = answer.undecided.empty() && (smaller || proved.proved_changes >= asked);
+        if (answer.proved) answer.lower_bound = fewest ? *fewest : asked + 1;
+        if (!answer.proved && answer.undecided.empty()) answer.lower_bound = proved.proved_changes + 1;
+    }
+    if (!fewest) return answer;
     answer.direction_changes = fewest;
     answer.ranges = ranges_of(found, options.max_changes ? limit : *fewest, width);
     const MaxSteerOptions drive = {*fewest, options.driving, options.parked};
@@ -96,7 +216,12 @@ Answer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
     if (const auto* trials = std::get_if<ParallelTrials>(&options.strategy))
         return trials_answer(parallel_trials(car, slot, *trials, drive));
     const Shortfall lacks = shortfall(car, slot, options.driving);
-    if (lacks.length > 0.0 || lacks.width > 0.0) return {};
+    if (lacks.length > 0.0 || lacks.width > 0.0) {
+        Answer none;
+        none.proved = std::holds_alternative<MaxSteer>(options.strategy);
+        if (none.proved) none.lower_bound = options.max_changes.value_or(most_changes) + 1;
+        return none;
+    }
     if (const auto* steps = std::get_if<Stepping>(&options.strategy)) {
         return stepping_entry(car, slot, options, *steps);
     }

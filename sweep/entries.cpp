@@ -51,6 +51,7 @@ std::vector<EntryRow> entries(const Car& car, const std::vector<Slot>& slots, co
     const bool finished =
         in_pieces(slots.size(), 8, sweep, [&](std::size_t first, std::size_t last, const auto& go_on) {
             EntryOptions each = options;
+            each.prove = false;
             each.progress = [&](double) { return go_on(); };
             for (std::size_t i = first; i < last; ++i) {
                 const Answer answer = entry(car, slots[i], each);

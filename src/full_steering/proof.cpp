@@ -1130,11 +1130,21 @@ public:
         } else {
             // Few moves first: no box is driven far for nothing.
             int allowed = hints_.changes >= 0 ? std::min(hints_.changes, asked_) : std::min(2, asked_);
+            bool complete = false;
             for (;;) {
+                const int before = limit_;
+                const std::vector<Sliver> left = found_.undecided;
                 limit_ = allowed;
                 found_.ranges.clear();
                 found_.undecided.clear();
                 search();
+                if (found_.moves > most_moves_ && found_.ranges.empty() && complete) {  // what was proved before stays
+                    limit_ = before;
+                    found_.undecided = left;
+                    break;
+                }
+                complete = found_.moves <= most_moves_;
+                if (!complete) break;
                 if (!found_.ranges.empty() || allowed == asked_ || found_.cancelled) break;
                 allowed = std::min(asked_, 2 * allowed + 2);
             }
