@@ -109,7 +109,7 @@ Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, cons
     if (answer.direction_changes) {
         json["direction_changes"] = *answer.direction_changes;
     }
-    if (std::holds_alternative<MaxSteer>(options.strategy) && !answer.cancelled) {
+    if (options.prove && std::holds_alternative<MaxSteer>(options.strategy) && !answer.cancelled) {
         json["proved"] = answer.proved;
         Json& undecided = json["undecided"] = Json::array();
         for (const Headings& part : answer.undecided)

@@ -18,9 +18,9 @@ namespace {
 
 using namespace detail;
 
-constexpr int most_changes = 200;  ///< where the search ends unless told otherwise
+constexpr int most_changes = 200;                 ///< where the search ends unless told otherwise
 constexpr std::size_t most_proof_moves = 60'000;  ///< driven for a proof: some 0.2 s at most
-constexpr double inward = 2e-13;   ///< edges are moved this far into their range, beyond any rounding [rad]
+constexpr double inward = 2e-13;  ///< edges are moved this far into their range, beyond any rounding [rad]
 
 /// The smallest count for which some stretch of headings is wide enough; empty if there is none.
 std::optional<int> fewest_changes(const std::vector<CountedHeadings>& ranges, double width) {
@@ -227,7 +227,7 @@ Answer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
     const Shortfall lacks = shortfall(car, slot, options.driving);
     if (lacks.length > 0.0 || lacks.width > 0.0) {
         Answer none;
-        none.proved = std::holds_alternative<MaxSteer>(options.strategy);
+        none.proved = options.prove && std::holds_alternative<MaxSteer>(options.strategy);
         if (none.proved) none.lower_bound = options.max_changes.value_or(most_changes) + 1;
         return none;
     }
