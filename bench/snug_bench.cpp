@@ -99,6 +99,7 @@ void add_all() {
         for (const NamedStrategy& s : strategies) {
             add("entry", s.name, c, [c, s](benchmark::State& state) { entry_of(state, c, s.strategy); });
         }
+        add("entry", "proved", c, [c](benchmark::State& state) { entry_of(state, c, MaxSteer{}, true); });
         add("run", "max-steer", c, [c](benchmark::State& state) { run_exactly(state, c); });
         add("run", "stepping-1mm", c, [c](benchmark::State& state) { run_stepping(state, c, {.step = 1e-3}); });
         add("move", "exact", c, [c](benchmark::State& state) { move_of(state, c); });

@@ -14,6 +14,7 @@ constexpr double millimetre = 1e-3;
 std::optional<int> fewest(const Car& car, double length, double width, const MinSlotOptions& like) {
     if (length < limits::shortest || width < limits::shortest) return std::nullopt;
     EntryOptions options;
+    options.prove = false;
     options.min_range = like.min_range;
     options.driving = like.driving;
     options.parked = like.parked;

@@ -109,12 +109,12 @@ Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, cons
     if (answer.direction_changes) {
         json["direction_changes"] = *answer.direction_changes;
     }
-    if (std::holds_alternative<MaxSteer>(options.strategy) && !answer.cancelled) {
+    if (options.prove && std::holds_alternative<MaxSteer>(options.strategy) && !answer.cancelled) {
         json["proved"] = answer.proved;
         Json& undecided = json["undecided"] = Json::array();
         for (const Headings& part : answer.undecided)
             undecided.push_back({{"heading_min", part.min}, {"heading_max", part.max}});
-        if (!answer.parkable()) json["proved_changes"] = answer.lower_bound - 1;
+        if (!answer.parkable() && answer.lower_bound > 0) json["proved_changes"] = answer.lower_bound - 1;
     }
     json["entry_ranges"] = Json::array();
     for (const HeadingRange& range : answer.ranges) {

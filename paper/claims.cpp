@@ -88,6 +88,7 @@ std::optional<double> difference(const std::optional<double>& a, const std::opti
 
 std::optional<int> fewest(const Car& car, double length, double width, const Strategy& strategy) {
     EntryOptions options;
+    options.prove = false;
     options.strategy = strategy;
     return entry(car, Slot({.length = length, .width = width}), options).direction_changes;
 }
@@ -340,6 +341,7 @@ Narrowest narrowest_when_tight(const Car& car, Work& work) {
     if (!slot) return {};
     Narrowest found{slot->width - car.width(), {}};
     EntryOptions options;
+    options.prove = false;
     options.strategy = grids.steps;
     options.max_changes = 30;
     const double before = std::floor(*found.exact / grids.width_step) - 1.0;

@@ -15,6 +15,7 @@ Slot slot_of(const Car& car, const SlotHeadings& at) {
 
 std::vector<Subrange> found(const Car& car, const SlotHeadings& at, const Strategy& strategy, double min_range) {
     EntryOptions options;
+    options.prove = false;
     options.strategy = strategy;
     options.max_changes = at.max_changes;
     options.min_range = min_range;

@@ -23,6 +23,7 @@ std::optional<double> first_length(const Car& car, double extra_width, int max_c
     const auto exact = min_length(car, car.width() + extra_width, {.max_changes = max_changes});
     if (!exact) return std::nullopt;
     EntryOptions options;
+    options.prove = false;
     options.strategy = grids.steps;
     options.max_changes = max_changes;
     const double steps_to_exact = std::floor((exact->length - car.length()) / grids.length_step);

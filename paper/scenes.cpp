@@ -74,6 +74,7 @@ File entries_and_goals(const Car& car, const Slot& slot) {
     Csv csv(position_columns);
     add_slot(csv, slot);
     EntryOptions options;
+    options.prove = false;
     options.max_changes = max_changes;
     constexpr int positions = 3;  // per subrange
     for (const Subrange& range : subranges(entry(car, slot, options).ranges)) {

@@ -18,9 +18,9 @@ namespace {
 
 using namespace detail;
 
-constexpr int most_changes = 200;  ///< where the search ends unless told otherwise
-constexpr std::size_t most_proof_moves = 200'000;  ///< driven for a proof: some tenths of a second
-constexpr double inward = 2e-13;   ///< edges are moved this far into their range, beyond any rounding [rad]
+constexpr int most_changes = 200;                 ///< where the search ends unless told otherwise
+constexpr std::size_t most_proof_moves = 60'000;  ///< driven for a proof: some 0.2 s at most
+constexpr double inward = 2e-13;  ///< edges are moved this far into their range, beyond any rounding [rad]
 
 /// The smallest count for which some stretch of headings is wide enough; empty if there is none.
 std::optional<int> fewest_changes(const std::vector<CountedHeadings>& ranges, double width) {
@@ -188,7 +188,16 @@ Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& opt
         fewest = fewest_changes(found, width);
         answer.proved = answer.undecided.empty() && (smaller || proved.proved_changes >= asked);
         if (answer.proved) answer.lower_bound = fewest ? *fewest : asked + 1;
-        if (!answer.proved && answer.undecided.empty()) answer.lower_bound = proved.proved_changes + 1;
+        if (!answer.proved) {
+            int bound = std::min(proved.proved_changes + 1, fewest.value_or(asked + 1));
+            for (const Headings& part : answer.undecided) {  // nothing parks there before this
+                int from = 0;
+                for (const Sliver& sliver : proved.undecided)
+                    if (sliver.min <= part.min && part.max <= sliver.max) from = sliver.from_changes;
+                bound = std::min(bound, from);
+            }
+            answer.lower_bound = bound;
+        }
     }
     if (!fewest) return answer;
     answer.direction_changes = fewest;
@@ -218,7 +227,7 @@ Answer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
     const Shortfall lacks = shortfall(car, slot, options.driving);
     if (lacks.length > 0.0 || lacks.width > 0.0) {
         Answer none;
-        none.proved = std::holds_alternative<MaxSteer>(options.strategy);
+        none.proved = options.prove && std::holds_alternative<MaxSteer>(options.strategy);
         if (none.proved) none.lower_bound = options.max_changes.value_or(most_changes) + 1;
         return none;
     }

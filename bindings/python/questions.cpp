@@ -196,6 +196,14 @@ void define_entry(py::module_& module) {
             "ranges", [](const Answer& a) { return py::tuple(py::cast(a.ranges)); },
             "Of entry(): a tuple of HeadingRange in rising order.")
         .field(
+            "undecided",
+            [](const Answer& a) {
+                py::list parts;
+                for (const Headings& part : a.undecided) parts.append(py::make_tuple(part.min, part.max));
+                return py::tuple(parts);
+            },
+            "Of entry(): pairs of headings between which nothing is claimed [rad].")
+        .field(
             "maneuver", [](const Answer& a) { return a.maneuver; },
             "One best maneuver: of entry() from the middle of the widest best range, of the others the roomiest found.")
         .field(

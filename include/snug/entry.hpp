@@ -29,7 +29,7 @@ struct EntryOptions {
     Parked parked = {};  ///< what counts as parked
     Strategy strategy = MaxSteer{};
     /// Full steering: show that no heading is missed. Without, the answer comes sooner and says that it is not proved.
-    bool prove = true;
+    bool prove = false;
     /// Told the part done (0 to 1) from time to time on long questions; returning false gives the question up.
     std::function<bool(double)> progress = {};
 };

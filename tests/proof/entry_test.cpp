@@ -1,0 +1,49 @@
+// The public question, asked for a proof.
+#include "snug/entry.hpp"
+
+#include <gtest/gtest.h>
+
+namespace snug {
+namespace {
+
+Answer proved(const CarDimensions& car, double length, double width, std::optional<int> most = {},
+              double clearance = 0.0) {
+    EntryOptions options;
+    options.prove = true;
+    options.max_changes = most;
+    options.driving.clearance = clearance;
+    return entry(Car(car, ""), Slot({.length = length, .width = width}), options);
+}
+
+TEST(ProvedEntry, OfRangesThatAQuickSearchMissed) {
+    const Answer nine =
+        proved({1.6966474020276665, 4.2402365169053038, 0.88159571123864877, 3.3376308396997216, 0.55338414573502426},
+               5.4677352067547744, 3.4450439909676072);
+    EXPECT_TRUE(nine.proved);
+    EXPECT_EQ(nine.direction_changes, 9);
+    const Answer eleven =
+        proved({1.6583475745325489, 1.1038735380480147, 0.022468896530309673, 0.96990573304500127, 0.83846274154652822},
+               1.9331919065846606, 1.979006323047134);
+    EXPECT_TRUE(eleven.proved);
+    EXPECT_EQ(eleven.direction_changes, 11);
+    const Answer twelve =
+        proved({2.046231289248821, 2.4339476763744257, 2.561157263571463, 2.4762755379543098, 0.51788495371386445},
+               5.5432260074639812, 4.2031541170433613, 12, 0.014278330291301534);
+    EXPECT_TRUE(twelve.proved);
+    ASSERT_EQ(twelve.ranges.size(), 2U);
+    EXPECT_NEAR(twelve.ranges[1].min, 0.92067, 1e-5);
+    EXPECT_NEAR(twelve.ranges[1].max, 0.92312, 1e-5);
+}
+
+TEST(ProvedEntry, ClaimsNothingThatRoundingDecides) {
+    const Answer tangent =
+        proved({2.3407496286221248, 1.6296087239970856, 0.25579434428378178, 1.1524775538288863, 0.8189386842086086},
+               3.1454425525267018, 2.6626856784916404);
+    EXPECT_FALSE(tangent.proved);
+    EXPECT_FALSE(tangent.parkable());
+    EXPECT_TRUE(tangent.ranges.empty());
+    EXPECT_FALSE(tangent.undecided.empty());
+}
+
+}  // namespace
+}  // namespace snug
