@@ -157,6 +157,8 @@ void TurningFrame::see(const Problem& problem, int any_quarter) {
     std::size_t index = static_cast<std::size_t>(quarter) * ends_.size();
     Border begin = {0.0, 1.0};
     bool another_quarter = true;
+    const bool body_at_curb = problem.at_curb == problem.body;
+    const bool body_is_frame = problem.frame == problem.body;
     for (const Border& end : ends_) {
         Sector& sector = sectors[index];
         const Sector& before = another_quarter ? sector : sectors[index - 1];
@@ -180,11 +182,21 @@ void TurningFrame::see(const Problem& problem, int any_quarter) {
         leads(&Sector::lowest, problem.body, down);
         leads(&Sector::leftmost, problem.body, left);
         leads(&Sector::rightmost, problem.body, right);
-        leads(&Sector::at_curb, problem.at_curb, down);
+        if (body_at_curb) {
+            sector.at_curb = sector.lowest;
+        } else {
+            leads(&Sector::at_curb, problem.at_curb, down);
+        }
         leads(&Sector::top, problem.frame, up);
-        leads(&Sector::frame_low, problem.frame, down);
-        leads(&Sector::frame_left, problem.frame, left);
-        leads(&Sector::frame_right, problem.frame, right);
+        if (body_is_frame) {
+            sector.frame_low = sector.lowest;
+            sector.frame_left = sector.leftmost;
+            sector.frame_right = sector.rightmost;
+        } else {
+            leads(&Sector::frame_low, problem.frame, down);
+            leads(&Sector::frame_left, problem.frame, left);
+            leads(&Sector::frame_right, problem.frame, right);
+        }
         sector.reaches_right = most_between(sector.rightmost.x, -sector.rightmost.y, begin, end) + margin;
         sector.reaches_left = most_between(-sector.leftmost.x, sector.leftmost.y, begin, end) + margin;
         sector.reaches_down = most_between(-sector.at_curb.y, -sector.at_curb.x, begin, end) + margin;
