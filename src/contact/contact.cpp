@@ -155,8 +155,8 @@ struct TurnMet {
     QuarterHeading at;
 };
 
-TurnMet first_met_turning(const PlainMove& move, const Turning& turn) {
-    const TurningFrame& frame = turn.frame;
+TurnMet first_met_turning(const PlainMove& move, Turning& turn) {
+    TurningFrame& frame = turn.frame;
     QuarterHeading now = turn.start;
     int index = frame.sector_of(now);
     for (int i = 0; i <= 4 * frame.per_quarter; ++i) {
@@ -171,6 +171,7 @@ TurnMet first_met_turning(const PlainMove& move, const Turning& turn) {
         if (++index == frame.per_quarter) {
             index = 0;
             now = {0.0, 1.0, now.quarter + 1};
+            frame.see(move.problem, now.quarter);
         } else {
             now = {sector.end_c, sector.end_s, now.quarter};
         }
@@ -381,8 +382,9 @@ FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, D
     if (!straight) {
         const double offset = 1.0 / curvature;
         const auto [sine, cosine] = angles::sine_cosine(move.start.heading);
-        turn = {turning_frame(move.problem, offset), move.start.x - offset * sine, move.start.y + offset * cosine,
+        turn = {TurningFrame(move.problem, offset), move.start.x - offset * sine, move.start.y + offset * cosine,
                 in_quarters(move.start.heading)};
+        turn.frame.see(move.problem, turn.start.quarter);
         met.at = turn.start;
     }
     if (const std::optional<Meeting> already = overlapped(move)) {

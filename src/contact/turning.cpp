@@ -20,10 +20,6 @@ Point turned(const Point& point, int quarters) {
     }
 }
 
-struct Border {
-    double c, s;
-};
-
 /// The headings within a quarter turn, from the steepest, at which an edge lies level or upright; the last is the quarter's
 /// end.
 std::vector<Border> borders(const Problem& problem) {
@@ -145,60 +141,79 @@ QuarterHeading in_quarters(double heading) {
     return {std::max(0.0, c), s, static_cast<int>(-quarter)};
 }
 
-TurningFrame turning_frame(const Problem& problem, double offset) {
-    TurningFrame frame;
-    const std::vector<Border> ends = borders(problem);
-    const std::vector<Point> ways = directions(problem.body);
-    frame.per_quarter = static_cast<int>(ends.size());
-    frame.sectors.resize(4 * ends.size());
-    frame.edges.reserve(4 * ends.size() + 4 * ways.size());
+TurningFrame::TurningFrame(const Problem& problem, double offset)
+    : ends_(borders(problem)), ways_(directions(problem.body)), offset_(offset) {
+    per_quarter = static_cast<int>(ends_.size());
+    sectors.resize(4 * ends_.size());
+    edges.reserve(4 * ends_.size() + 4 * ways_.size());
+}
+
+void TurningFrame::see(const Problem& problem, int any_quarter) {
+    const int quarter = any_quarter & 3;
+    if (seen_[static_cast<std::size_t>(quarter)]) return;
+    seen_[static_cast<std::size_t>(quarter)] = true;
     const double margin = 4.0 * problem.touch;
-    std::size_t index = 0;
-    for (int quarter = 0; quarter < 4; ++quarter) {
-        const Point centre = turned({0.0, offset}, quarter);
-        Border begin = {0.0, 1.0};
-        bool another_quarter = true;
-        for (const Border& end : ends) {
-            Sector& sector = frame.sectors[index];
-            const Sector& before = index == 0 ? sector : frame.sectors[index - 1];
-            ++index;
-            sector.end_c = end.c;
-            sector.end_s = end.s;
-            const double begin_order = begin.s - begin.c;
-            const double end_order = end.s - end.c;
-            if (end.s > 0.0) sector.end_order = end_order;
-            const double c = begin.c + end.c;  // halfway, but for its length
-            const double s = begin.s + end.s;
-            const Point down = {-s, -c};  // as the car sees it
-            const Point right = {c, -s};
-            const Point left = {-c, s};
-            const Point up = {s, c};
-            const auto leads = [&](TurningCorner Sector::*corner, const Outline& outline, const Point& towards) {
-                sector.*corner = before.*corner;
-                if (another_quarter) (sector.*corner).radius = 0.0;
-                lead(sector.*corner, outline, quarter, centre, towards);
-            };
-            leads(&Sector::lowest, problem.body, down);
-            leads(&Sector::leftmost, problem.body, left);
-            leads(&Sector::rightmost, problem.body, right);
+    const Point centre = turned({0.0, offset_}, quarter);
+    std::size_t index = static_cast<std::size_t>(quarter) * ends_.size();
+    Border begin = {0.0, 1.0};
+    bool another_quarter = true;
+    const bool body_at_curb = problem.at_curb == problem.body;
+    const bool body_is_frame = problem.frame == problem.body;
+    for (const Border& end : ends_) {
+        Sector& sector = sectors[index];
+        const Sector& before = another_quarter ? sector : sectors[index - 1];
+        ++index;
+        sector.end_c = end.c;
+        sector.end_s = end.s;
+        const double begin_order = begin.s - begin.c;
+        const double end_order = end.s - end.c;
+        if (end.s > 0.0) sector.end_order = end_order;
+        const double c = begin.c + end.c;  // halfway, but for its length
+        const double s = begin.s + end.s;
+        const Point down = {-s, -c};  // as the car sees it
+        const Point right = {c, -s};
+        const Point left = {-c, s};
+        const Point up = {s, c};
+        const auto leads = [&](TurningCorner Sector::*corner, const Outline& outline, const Point& towards) {
+            sector.*corner = before.*corner;
+            if (another_quarter) (sector.*corner).radius = 0.0;
+            lead(sector.*corner, outline, quarter, centre, towards);
+        };
+        leads(&Sector::lowest, problem.body, down);
+        leads(&Sector::leftmost, problem.body, left);
+        leads(&Sector::rightmost, problem.body, right);
+        if (body_at_curb) {
+            sector.at_curb = sector.lowest;
+        } else {
             leads(&Sector::at_curb, problem.at_curb, down);
-            leads(&Sector::top, problem.frame, up);
+        }
+        leads(&Sector::top, problem.frame, up);
+        if (body_is_frame) {
+            sector.frame_low = sector.lowest;
+            sector.frame_left = sector.leftmost;
+            sector.frame_right = sector.rightmost;
+        } else {
             leads(&Sector::frame_low, problem.frame, down);
             leads(&Sector::frame_left, problem.frame, left);
             leads(&Sector::frame_right, problem.frame, right);
-            sector.reaches_right = most_between(sector.rightmost.x, -sector.rightmost.y, begin, end) + margin;
-            sector.reaches_left = most_between(-sector.leftmost.x, sector.leftmost.y, begin, end) + margin;
-            sector.reaches_down = most_between(-sector.at_curb.y, -sector.at_curb.x, begin, end) + margin;
-            sector.graze_order = below_centre(sector.at_curb, begin_order, end_order);
-            sector.dip_order = below_centre(sector.top, begin_order, end_order);
-            add_edges(frame, problem, ways, quarter, centre, sector.lowest.index, sector.rightmost.index,
-                      sector.front_edges, sector.front_edges_end);
-            add_edges(frame, problem, ways, quarter, centre, sector.leftmost.index, sector.lowest.index,
-                      sector.rear_edges, sector.rear_edges_end);
-            begin = end;
-            another_quarter = false;
         }
+        sector.reaches_right = most_between(sector.rightmost.x, -sector.rightmost.y, begin, end) + margin;
+        sector.reaches_left = most_between(-sector.leftmost.x, sector.leftmost.y, begin, end) + margin;
+        sector.reaches_down = most_between(-sector.at_curb.y, -sector.at_curb.x, begin, end) + margin;
+        sector.graze_order = below_centre(sector.at_curb, begin_order, end_order);
+        sector.dip_order = below_centre(sector.top, begin_order, end_order);
+        add_edges(*this, problem, ways_, quarter, centre, sector.lowest.index, sector.rightmost.index,
+                  sector.front_edges, sector.front_edges_end);
+        add_edges(*this, problem, ways_, quarter, centre, sector.leftmost.index, sector.lowest.index, sector.rear_edges,
+                  sector.rear_edges_end);
+        begin = end;
+        another_quarter = false;
     }
+}
+
+TurningFrame turning_frame(const Problem& problem, double offset) {
+    TurningFrame frame(problem, offset);
+    for (int quarter = 0; quarter < 4; ++quarter) frame.see(problem, quarter);
     return frame;
 }
 

@@ -124,8 +124,20 @@ struct TurningEdge : SeenEdge<Plain<double>> {
     int index;                               ///< in the outline: an edge follows its corner
 };
 
-/// The outline all around one turning centre.
+/// The direction of a heading at which a sector ends, within its quarter turn.
+struct Border {
+    double c, s;
+};
+
+/// The outline all around one turning centre, or as much of it as has been looked at.
 struct TurningFrame {
+    TurningFrame() = default;
+    /// Nothing seen yet. `offset`: how far the turning centre lies to the left of the rear axle's middle (negative: to the
+    /// right). [m]
+    TurningFrame(const Problem& problem, double offset);
+    /// Works out the sectors of a quarter turn, unless that is done.
+    void see(const Problem& problem, int any_quarter);
+
     std::vector<Sector> sectors;  ///< quarter by quarter, as many in each, in the order of falling headings
     std::vector<TurningEdge> edges;
     int per_quarter = 1;
@@ -140,9 +152,15 @@ struct TurningFrame {
         while (sector + 1 < per_quarter && heading.order() <= at(heading.quarter, sector).end_order) ++sector;
         return sector;
     }
+
+private:
+    std::vector<Border> ends_;  ///< of the sectors of any quarter
+    std::vector<Point> ways_;   ///< directions of the body's edges
+    double offset_ = 0.0;
+    std::array<bool, 4> seen_ = {};
 };
 
-/// `offset`: how far the turning centre lies to the left of the rear axle's middle (negative: to the right). [m]
+/// All of it.
 TurningFrame turning_frame(const Problem& problem, double offset);
 
 /// Height of a corner at a heading of its quarter, the centre being at y.
