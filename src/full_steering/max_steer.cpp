@@ -61,7 +61,7 @@ MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering
         move.steering_angle = slot.mirrored(backward ? car.max_steer() : -car.max_steer());
         move.start = to_world(slot, options.driving.enter, pose);
         const double turned_to = end.angle();
-        move.length = radius * (pose.heading - turned_to);
+        move.length = std::max(0.0, radius * (pose.heading - turned_to));
         pose = {centre_x + offset * end.sine(), centre_y - offset * end.cosine(), turned_to};
         move.end = to_world(slot, options.driving.enter, pose);
         if (touches)

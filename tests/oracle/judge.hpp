@@ -281,11 +281,12 @@ private:
             ++verdict_.decided;
             verdict_.edges += edge;
             if (exact.count == range.direction_changes) return;
-            // Edges are promised to 1e-12; both sides round.
-            const double inward = heading + (heading == range.min ? 2e-12 : -2e-12);
+            // What lies this close to an edge is a sliver that rounding may decide; both sides round.
+            const double inward = heading + (heading == range.min ? edge_error : -edge_error);
             const auto parks_inward = [&] {
                 const Run<Fine> other = run(fine_, Fine(inward), range.direction_changes);
-                return range.max - range.min < 4e-12 || (other.parked() && other.changes == range.direction_changes);
+                return range.max - range.min < 2 * edge_error ||
+                       (other.parked() && other.changes == range.direction_changes);
             };
             if (!exact.certain || (edge && parks_inward())) {
                 ++(edge ? verdict_.undecided_edges : verdict_.undecided);

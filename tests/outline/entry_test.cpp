@@ -45,6 +45,12 @@ TEST(OutlineEntry, OneRunOfTheStrategyIsWhatTheOracleDrives) {
             ++brink;
             continue;
         }
+        // The solver does not look for an entry where the slot does not hold the car; the oracle drives, in vain.
+        const snug::Shortfall lacks = snug::shortfall(asked.made_car(), asked.made_slot(), asked.driving);
+        if (got.outcome == snug::Outcome::no_entry && (lacks.length > 0.0 || lacks.width > 0.0)) {
+            EXPECT_NE(exact.outcome, snug::Outcome::parked);
+            continue;
+        }
         EXPECT_EQ(static_cast<int>(got.outcome), static_cast<int>(exact.outcome));
         if (got.outcome != snug::Outcome::parked) continue;
         ++parked;
