@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "all_maneuvers/park_search.hpp"
 #include "contact/place_contact.hpp"
@@ -31,6 +34,24 @@ void check(const ParkOptions& options) {
     check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
 }
 
+std::string with_article(const Place& place, std::size_t obstacle) {
+    return (place.obstacles()[obstacle].name.empty() ? "" : "the ") + place.name_of(obstacle);
+}
+
+/// What a car is nearest to at the end of each move.
+std::vector<ParkStop> stops_of(const Maneuver& maneuver, const Place& place, double clearance) {
+    std::vector<ParkStop> stops;
+    if (place.obstacles().empty()) return stops;
+    for (const Move& move : maneuver.moves) {
+        const std::vector<PlaceGap> all = gaps(maneuver.car, place, move.end, clearance);
+        const auto nearest = std::min_element(all.begin(), all.end(), [](const PlaceGap& one, const PlaceGap& other) {
+            return one.distance < other.distance;
+        });
+        stops.push_back({static_cast<std::size_t>(nearest - all.begin()), *nearest});
+    }
+    return stops;
+}
+
 void check_start(const Place& place, const ChartPlace& here) {
     for (const HalfPlane& edge : here.region) {
         const double out = edge.normal.x * here.start.x + edge.normal.y * here.start.y - edge.offset;
@@ -42,10 +63,7 @@ void check_start(const Place& place, const ChartPlace& here) {
         const ChartPlace::Solid& solid = here.solids[i];
         const double deep = detail::overlap(detail::placed(here.shapes[solid.stops], here.start), solid.corners);
         if (!(deep > touch)) continue;
-        const std::size_t obstacle = place.pieces()[i].obstacle;
-        const std::string& name = place.obstacles()[obstacle].name;
-        throw Error("the car starts in contact with " +
-                    (name.empty() ? "obstacle [" + std::to_string(obstacle) + "]" : "the " + name) + ", " +
+        throw Error("the car starts in contact with " + with_article(place, place.pieces()[i].obstacle) + ", " +
                     spelled(deep) + " m deep; move it away");
     }
 }
@@ -121,6 +139,7 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
         move.end = at = drive(car, at, move.direction, move.steering_angle, move.length);
         maneuver.moves.push_back(move);
     }
+    answer.stops = stops_of(maneuver, place, options.clearance);
     answer.maneuver = std::move(maneuver);
     return answer;
 }
