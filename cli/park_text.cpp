@@ -124,6 +124,20 @@ std::string result(const ParkQuestion& question, const ParkAnswer& answer) {
     return "\nHow it ends\n" + table(rows, "ll");
 }
 
+/// More changes that save a detour or end straighter; how to drive them is in the JSON.
+std::string alternatives(const ParkQuestion& question, const ParkAnswer& answer) {
+    if (answer.alternatives.empty()) return "";
+    Rows rows = {{"changes", "driven", "off the parked heading"}};
+    const auto add = [&](const Maneuver& maneuver) {
+        const double aslant = std::abs(off(maneuver.goal().heading - parked_heading(question.scene.place)));
+        rows.push_back(
+            {std::to_string(maneuver.direction_changes()), metres(maneuver.length()), fixed(aslant, 3) + " deg"});
+    };
+    if (!answer.maneuver->moves.empty()) add(*answer.maneuver);
+    for (const Maneuver& other : answer.alternatives) add(other);
+    return "\nOther ways (--format json has their moves)\n" + table(rows, "rrr");
+}
+
 std::string proof(const ParkAnswer& answer) {
     const std::string bound = std::to_string(answer.lower_bound);
     if (answer.proved)
@@ -164,7 +178,8 @@ std::string refusal(const ParkQuestion& question, const ParkAnswer& answer) {
 std::string park_text(const ParkQuestion& question, const ParkAnswer& answer) {
     if (!answer.maneuver) return refusal(question, answer);
     return name(question.car) + " parks " + into_what(question) + "\nwith " + changes(*answer.direction_changes) +
-           ".\n" + where_it_stands(question) + moves(question, answer) + result(question, answer) + proof(answer);
+           ".\n" + where_it_stands(question) + moves(question, answer) + result(question, answer) +
+           alternatives(question, answer) + proof(answer);
 }
 
 }  // namespace snug::cli

@@ -53,7 +53,11 @@ void add_answer(Json& json, const Place& place, const Pose& start, const ParkOpt
     json["lower_bound"] = answer.lower_bound;
     if (answer.impossible) json["impossible"] = true;
     json["spacing"] = answer.spacing;
-    if (answer.maneuver) json["maneuver"] = driven(*answer.maneuver, start, answer.stops, place);
+    if (!answer.maneuver) return;
+    json["maneuver"] = driven(*answer.maneuver, start, answer.stops, place);
+    if (answer.alternatives.empty()) return;
+    Json& others = json["alternatives"] = Json::array();
+    for (const Maneuver& other : answer.alternatives) others.push_back(driven(other, start, {}, place));
 }
 
 }  // namespace

@@ -38,6 +38,25 @@ std::string with_article(const Place& place, std::size_t obstacle) {
     return (place.obstacles()[obstacle].name.empty() ? "" : "the ") + place.name_of(obstacle);
 }
 
+/// A way in the chart, driven from where the car stands.
+Maneuver in_world(const Car& car, const Pose& start, const std::vector<detail::Path>& way) {
+    Maneuver maneuver{car, {}};
+    Pose at = start;
+    for (const detail::Path& piece : way) {
+        Move move;
+        move.direction = piece.way > 0.0 ? Direction::forward : Direction::backward;
+        // Full steering is the car's own angle, to the bit.
+        move.steering_angle = piece.curvature == 0.0 ? 0.0 : angles::atan(car.wheelbase() * piece.curvature);
+        if (std::abs(std::abs(piece.curvature) * car.turning_radius() - 1.0) < 1e-12)
+            move.steering_angle = piece.curvature > 0.0 ? car.max_steer() : -car.max_steer();
+        move.length = piece.length;
+        move.start = at;
+        move.end = at = drive(car, at, move.direction, move.steering_angle, move.length);
+        maneuver.moves.push_back(move);
+    }
+    return maneuver;
+}
+
 /// What a car is nearest to at the end of each move.
 std::vector<ParkStop> stops_of(const Maneuver& maneuver, const Place& place, double clearance) {
     std::vector<ParkStop> stops;
@@ -82,7 +101,7 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     question.roomiest = options.roomiest;
     if (std::abs(question.place.start.heading) > half_turn * 75.0 / 180.0)
         throw Error("the car's heading and the parked one are " +
-                    spelled(std::abs(question.place.start.heading) * 2.0 * 180.0 / half_turn) +
+                    spelled(std::round(std::abs(question.place.start.heading) * 3600.0 / half_turn) / 10.0) +
                     " degrees apart, but at most 150 are supported; turn the car first");
     check_start(place, question.place);
     const double reach = std::max(std::abs(question.place.y_min), std::abs(question.place.y_max));
@@ -125,22 +144,10 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     answer.proved = bounds.meet() || bounds.lower > options.max_changes;
     answer.spacing = bounds.spacing;
     if (!bounds.upper) return answer;
-    Maneuver maneuver{car, {}};
-    Pose at = start;
-    for (const detail::Path& piece : bounds.way) {
-        Move move;
-        move.direction = piece.way > 0.0 ? Direction::forward : Direction::backward;
-        // Full steering is the car's own angle, to the bit.
-        move.steering_angle = piece.curvature == 0.0 ? 0.0 : angles::atan(car.wheelbase() * piece.curvature);
-        if (std::abs(std::abs(piece.curvature) * car.turning_radius() - 1.0) < 1e-12)
-            move.steering_angle = piece.curvature > 0.0 ? car.max_steer() : -car.max_steer();
-        move.length = piece.length;
-        move.start = at;
-        move.end = at = drive(car, at, move.direction, move.steering_angle, move.length);
-        maneuver.moves.push_back(move);
-    }
+    Maneuver maneuver = in_world(car, start, bounds.way);
     answer.stops = stops_of(maneuver, place, options.clearance);
     answer.maneuver = std::move(maneuver);
+    for (const std::vector<detail::Path>& way : bounds.others) answer.alternatives.push_back(in_world(car, start, way));
     return answer;
 }
 

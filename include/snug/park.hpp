@@ -44,6 +44,8 @@ struct ParkAnswer : Answer {
     bool impossible = false;  ///< no number of direction changes will do: proved
     /// For every move of the maneuver, at its end; empty in a place without obstacles.
     std::vector<ParkStop> stops;
+    /// With more direction changes, in rising order, each much shorter than those with fewer or ending straighter.
+    std::vector<Maneuver> alternatives;
 };
 
 /// The fewest direction changes with which the car parks from where it stands, whatever way it is steered within its limit

@@ -273,6 +273,26 @@ std::vector<std::vector<Path>> beginnings(const Pose& from, double way, double r
     return all;
 }
 
+/// The move with its last two pieces shorter and longer.
+std::vector<std::vector<Path>> variations(const std::vector<Path>& move) {
+    constexpr double parts[] = {0.6, 0.8, 0.9, 0.95, 0.98, 1.0, 1.02, 1.05, 1.1, 1.2, 1.4};
+    std::vector<std::vector<Path>> all;
+    const std::size_t last = move.size() - 1;
+    for (const double part : parts) {
+        std::vector<Path> varied = move;
+        if (last > 0) {
+            varied[last - 1].length *= part;
+            varied[last].start = varied[last - 1].at(varied[last - 1].length);
+        }
+        for (const double part_of_last : parts) {
+            varied[last].length = move[last].length * part_of_last;
+            all.push_back(varied);
+        }
+        if (last == 0) break;
+    }
+    return all;
+}
+
 /// A move and the one after it with less trouble, if there are such; what they end at stays.
 bool improve(const ChartPlace& place, std::vector<Path>& move, std::vector<Path>& after) {
     const Joints joints = joints_of(place, after);
@@ -302,7 +322,7 @@ bool improve(const ChartPlace& place, std::vector<Path>& move, std::vector<Path>
             }
         }
     };
-    try_from(move);
+    for (const std::vector<Path>& varied : variations(move)) try_from(varied);
     for (const std::vector<Path>& beginning : beginnings(move[0].start, move[0].way, place.radius, length))
         try_from(beginning);
     if (!begin) return false;

@@ -356,6 +356,24 @@ std::vector<Path> way_to_drive(const ParkQuestion& question, const Left& left, c
     return {};
 }
 
+constexpr int others_tried = 2;  ///< with more changes
+
+double length_of(const std::vector<Path>& way) {
+    double length = 0.0;
+    for (const Path& piece : way) length += piece.length;
+    return length;
+}
+
+/// Whether a way with a change more saves a detour, or ends better: less aslant.
+bool worth_a_change(const ParkQuestion& question, const std::vector<Path>& one, const std::vector<Path>& other) {
+    constexpr double much = 0.8, much_heading = 0.02;  // of the length, and [rad]
+    const auto aslant = [&](const std::vector<Path>& way) {
+        const double parked = -question.place.start.heading;  // the chart lies halfway
+        return way.empty() ? 0.0 : std::abs(way.back().at(way.back().length).heading - parked);
+    };
+    return length_of(one) < much * length_of(other) || aslant(one) < aslant(other) - much_heading;
+}
+
 }  // namespace
 
 void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& watch) {
@@ -421,12 +439,23 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         if (!question.roomiest || !bounds.upper) return;
         // A lattice that just holds a way may not hold one that keeps a distance, but the next one may.
         std::vector<Path> way;
-        for (double h = found_at; way.empty() && h > 0.999 * question.finest && h > 0.2 * found_at; h /= 2.0) {
+        for (double h = found_at; way.empty() && h > 0.999 * question.finest && h > 0.4 * found_at; h /= 2.0) {
             const std::optional<Left> left = left_for(*bounds.upper, h);
             if (left) way = way_to_drive(question, *left, watch, bounds.updates);
         }
         if (way.empty()) way = polished(question.place, bounds.way);
         if (changes_of(way) == *bounds.upper && is_drivable(question.place, way)) bounds.way = std::move(way);
+        bounds.others.reserve(others_tried);
+        const std::vector<Path>* best = &bounds.way;
+        for (int more = 1; more <= others_tried && *bounds.upper + more <= question.max_changes; ++more) {
+            const std::optional<Left> left = left_for(*bounds.upper + more, h0);
+            if (!left) continue;
+            std::vector<Path> other = way_to_drive(question, *left, watch, bounds.updates);
+            if (other.empty() || changes_of(other) != *bounds.upper + more || !worth_a_change(question, other, *best))
+                continue;
+            bounds.others.push_back(std::move(other));
+            best = &bounds.others.back();
+        }
     };
     for (double h = h0; h > 0.999 * question.finest && !bounds.meet(); h /= 2.0) {
         // What is left for the lower bound at this spacing; each count that turns out impossible moves it up.
