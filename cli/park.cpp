@@ -49,11 +49,11 @@ struct Asked {
           scene(options.group("Any place")
                     .text("--scene", "FILE",
                           "Obstacles, goal and start from a JSON file, or from\na .csv file of "
-                          "the TPCAP benchmark, instead of a slot.")),
+                          "the TPCAP benchmark: no slot then.")),
           from(options.group("Question")
                    .declared<Pose>("--from", "X,Y,HEADING",
                                    "Where the rear axle's middle stands, in the world\n[m, rad] (beside the front "
-                                   "neighbour; at a bay, past it).",
+                                   "neighbour; past a bay).",
                                    pose)),
           max_changes(options.whole_number("--max-changes", "N", "At most that many direction changes (200).", 0,
                                            limits::most_changes_fewest)),

@@ -101,9 +101,9 @@ std::string moves(const ParkQuestion& question, const ParkAnswer& answer) {
             until = last ? "stop: parked" : "stop here";
             if (!last && i < answer.stops.size() && answer.stops[i].gap.distance < near) {
                 const ParkStop& stop = answer.stops[i];
-                const std::string part(to_string(stop.gap.part)), what = the(question.scene.place, stop.obstacle);
-                until = stop.is_contact() ? part + (clearance > 0.0 ? " nears " : " meets ") + what
-                                          : part + " is " + fixed(stop.gap.distance, 2) + " m from " + what;
+                const std::string what = the(question.scene.place, stop.obstacle);
+                until = stop.is_contact() ? (clearance > 0.0 ? "stop: near " : "stop: at ") + what
+                                          : "stop " + metres(stop.gap.distance) + " from " + what;
             }
         }
         rows.push_back({begins ? std::to_string(++number) : "", std::string(begins ? to_string(move.direction) : ""),

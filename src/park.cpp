@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "all_maneuvers/outer_sets.hpp"
 #include "all_maneuvers/park_search.hpp"
 #include "contact/place_contact.hpp"
 #include "model/angles.hpp"
@@ -57,17 +58,19 @@ Maneuver in_world(const Car& car, const Pose& start, const std::vector<detail::P
     return maneuver;
 }
 
+ParkStop nearest_at(const Car& car, const Place& place, const Pose& pose, double clearance) {
+    const std::vector<PlaceGap> all = gaps(car, place, pose, clearance);
+    const auto nearest = std::min_element(all.begin(), all.end(), [](const PlaceGap& one, const PlaceGap& other) {
+        return one.distance < other.distance;
+    });
+    return {static_cast<std::size_t>(nearest - all.begin()), *nearest};
+}
+
 /// What a car is nearest to at the end of each move.
 std::vector<ParkStop> stops_of(const Maneuver& maneuver, const Place& place, double clearance) {
     std::vector<ParkStop> stops;
     if (place.obstacles().empty()) return stops;
-    for (const Move& move : maneuver.moves) {
-        const std::vector<PlaceGap> all = gaps(maneuver.car, place, move.end, clearance);
-        const auto nearest = std::min_element(all.begin(), all.end(), [](const PlaceGap& one, const PlaceGap& other) {
-            return one.distance < other.distance;
-        });
-        stops.push_back({static_cast<std::size_t>(nearest - all.begin()), *nearest});
-    }
+    for (const Move& move : maneuver.moves) stops.push_back(nearest_at(maneuver.car, place, move.end, clearance));
     return stops;
 }
 
@@ -85,6 +88,39 @@ void check_start(const Place& place, const ChartPlace& here) {
         throw Error("the car starts in contact with " + with_article(place, place.pieces()[i].obstacle) + ", " +
                     spelled(deep) + " m deep; move it away");
     }
+}
+
+bool holds_nothing(const Limits& limits) {
+    for (const Layer& layer : limits)
+        for (std::size_t i = 0; i < layer.low.size(); ++i)
+            if (layer.low[i] <= layer.high[i]) return false;
+    return true;
+}
+
+/// Throws Error when the car would have room to park if it were not for the obstacles: then nobody meant the goal to be there.
+/// (A clearance that leaves no room is another matter.)
+void check_goal(const Car& car, const Place& place, const Pose& start, double h) {
+    Chart chart;
+    ChartPlace here = chart_place(car, place, start, 0.0, chart);
+    const auto room = [&] { return !holds_nothing(OuterLattice(here, h, h, nullptr, [] {}).parked()); };
+    if (room()) return;
+    here.solids.clear();
+    if (!room()) return;
+    Pose goal;
+    if (const auto* inside = std::get_if<ParkedInside>(&place.parked())) {
+        const auto count = static_cast<double>(inside->corners.size());
+        const double ahead = (car.rear() - car.front()) / 2.0;
+        goal = {ahead * angles::cos(inside->heading), ahead * angles::sin(inside->heading), inside->heading};
+        for (const Point& corner : inside->corners) {
+            goal.x += corner.x / count;
+            goal.y += corner.y / count;
+        }
+    } else {
+        goal = std::get<ParkedAt>(place.parked()).pose;
+    }
+    const auto [covers, gap] = nearest_at(car, place, goal, 0.0);
+    throw Error("the goal is covered by " + with_article(place, covers) +
+                (gap.distance < 0.0 ? ", " + spelled(-gap.distance) + " m deep" : "") + "; move one of them");
 }
 
 }  // namespace
@@ -106,8 +142,8 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     check_start(place, question.place);
     const double reach = std::max(std::abs(question.place.y_min), std::abs(question.place.y_max));
     if (reach > farthest_y || question.place.radius > 40.0)
-        throw Error("the region reaches " + spelled(reach) + " m across, but at most " + spelled(farthest_y) +
-                    " are supported; name a smaller one");
+        throw Error("the region reaches " + spelled(std::round(reach)) + " m to either side, but at most " +
+                    spelled(farthest_y) + " are supported; name a smaller one");
 
     const double length = car.length();
     question.finest = options.resolution > 0.0 ? options.resolution : usual_part * length;
@@ -118,8 +154,10 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     const double cells = (question.place.x_max - question.place.x_min) * 4.0 * question.place.radius /
                          (question.coarsest * question.coarsest);
     if (cells > most_cells)
-        throw Error("the region is " + spelled(question.place.x_max - question.place.x_min) +
-                    " m long, too long for this car; name a smaller one");
+        throw Error("the region is " + spelled(std::round(question.place.x_max - question.place.x_min)) +
+                    " m long: at the resolution of " + spelled(question.coarsest) + " m that would take " +
+                    spelled(std::round(cells / 1e6)) + " million cells, but at most " + spelled(most_cells / 1e6) +
+                    " million are supported; name a smaller region, or a coarser resolution");
 
     ParkBounds bounds;
     bool stopped = false;
@@ -136,6 +174,7 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
         stopped = true;  // as far as it got
     }
 
+    if (bounds.impossible) check_goal(car, place, start, question.coarsest);
     ParkAnswer answer;
     answer.cancelled = stopped;
     answer.direction_changes = bounds.upper;
