@@ -31,7 +31,7 @@ constexpr const char* examples =
     "Examples:\n"
     "  snug park --car renault-zoe --length 5.2 --width 2 --road 3.5\n"
     "  snug park --car renault-zoe --length 5 --width 2.5 --angle 90 --road 6\n"
-    "  snug park --car opel-corsa --length 5 --width 2 --from 1.5,1.2,0.1 --draw way.svg\n"
+    "  snug park --car opel-corsa --length 5 --width 2 --from 2,1.5,0 --draw way.svg\n"
     "  snug park --car renault-zoe --scene yard.json --waypoints way.csv\n\n"
     "Exit codes: 0 solved; 1 understood, and the car cannot park; 2 bad input, with\n"
     "one line that says what is wrong; 3 undecided within the limits given. Ctrl-C\n"

@@ -124,18 +124,27 @@ std::string result(const ParkQuestion& question, const ParkAnswer& answer) {
     return "\nHow it ends\n" + table(rows, "ll");
 }
 
-/// More changes that save a detour or end straighter; how to drive them is in the JSON.
+/// How near the car comes to anything on the way.
+double nearest(const ParkQuestion& question, const Maneuver& maneuver) {
+    double least = near;
+    for (const Pose& pose : maneuver.poses(0.02))
+        for (const PlaceGap& gap : gaps(question.car, question.scene.place, pose, question.options.clearance))
+            least = std::min(least, gap.distance);
+    return std::max(0.0, least);
+}
+
+/// More changes that save a detour, keep more distance or end straighter; how to drive them is in the JSON.
 std::string alternatives(const ParkQuestion& question, const ParkAnswer& answer) {
     if (answer.alternatives.empty()) return "";
-    Rows rows = {{"changes", "driven", "off the parked heading"}};
+    Rows rows = {{"changes", "driven", "nearest to anything", "off the parked heading"}};
     const auto add = [&](const Maneuver& maneuver) {
         const double aslant = std::abs(off(maneuver.goal().heading - parked_heading(question.scene.place)));
-        rows.push_back(
-            {std::to_string(maneuver.direction_changes()), metres(maneuver.length()), fixed(aslant, 3) + " deg"});
+        rows.push_back({std::to_string(maneuver.direction_changes()), metres(maneuver.length()),
+                        metres(nearest(question, maneuver)), fixed(aslant, 3) + " deg"});
     };
     if (!answer.maneuver->moves.empty()) add(*answer.maneuver);
     for (const Maneuver& other : answer.alternatives) add(other);
-    return "\nOther ways (--format json has their moves)\n" + table(rows, "rrr");
+    return "\nOther ways (--format json has their moves)\n" + table(rows, "rrrr");
 }
 
 std::string proof(const ParkAnswer& answer) {

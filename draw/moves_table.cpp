@@ -103,8 +103,8 @@ void draw_row(cairo_t* canvas, const Columns& x, double y, const Chart& chart, c
         draw_line(canvas, {end, y}, {end, y + row_height}, palette::faint_ink.faded(0.6), line::hair);
     }
     draw_path_sample(canvas, {chart.at(slot, move.start), y}, {end, y}, move.direction);
-    write(canvas, {x.heading, y}, degrees_label(std::remainder(slot.to_slot(move.end).heading, 2.0 * std::numbers::pi)),
-          figures);
+    const double heading = std::remainder(slot.to_slot(move.end).heading, 2.0 * std::numbers::pi);
+    write(canvas, {x.heading, y}, degrees_label(std::abs(heading) < 1e-12 ? 0.0 : heading), figures);
     if (move.contact) {
         draw_contact_sign(canvas, {x.sign, y}, move.contact->part, slot.side() == Side::left);
         const std::string contact =

@@ -152,6 +152,7 @@ std::vector<std::string> ends_of(const std::vector<Leg>& legs, const Picture& pi
     std::vector<std::string> ends;
     for (std::size_t i = 0; i < legs.size(); ++i) {
         std::string& end = ends.emplace_back();
+        if (!legs[i].turns_at_end && i + 1 < legs.size()) end = "turn the wheel on the way";
         if (!legs[i].turns_at_end || i >= picture.answer.stops.size()) continue;
         const ParkStop& stop = picture.answer.stops[i];
         const std::string what = picture.place.name_of(stop.obstacle);

@@ -382,6 +382,16 @@ std::vector<Path> polished(const ChartPlace& place, const std::vector<Path>& way
         moves.back() = last;
         if (!better) break;
     }
+    // A last touch of the wheel that nobody would notice.
+    std::vector<Path>& last = moves.back();
+    while (last.size() > 1 && last.back().length * std::abs(last.back().curvature) < 0.005 &&
+           last.back().length < 0.1) {
+        const std::vector<Path> touched = last;
+        last.pop_back();
+        if (is_drivable(place, chained(way[0].start, moves))) continue;
+        last = touched;
+        break;
+    }
     std::vector<Path> shorter = chained(way[0].start, moves);
     return trouble(shorter) < trouble(way) ? shorter : way;
 }

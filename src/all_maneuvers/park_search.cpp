@@ -364,9 +364,18 @@ double length_of(const std::vector<Path>& way) {
     return length;
 }
 
-/// Whether a way with a change more saves a detour, or ends better: less aslant.
+/// The distance that is kept from everything all the way, as far as it matters. [m]
+double distance_kept(const ChartPlace& place, const std::vector<Path>& way) {
+    for (const double distance : {0.1, 0.05, 0.02})
+        if (is_drivable(with_grown_car(place, distance), way)) return distance;
+    return 0.0;
+}
+
+/// Whether a way with a change more saves a detour, keeps a distance or ends better: less aslant.
 bool worth_a_change(const ParkQuestion& question, const std::vector<Path>& one, const std::vector<Path>& other) {
-    constexpr double much = 0.8, much_heading = 0.02;  // of the length, and [rad]
+    constexpr double much = 0.8, much_distance = 0.05, much_heading = 0.02;  // of the length, [m] and [rad]
+    const double before = distance_kept(question.place, other);
+    if (before < much_distance && distance_kept(question.place, one) >= before + much_distance - 0.021) return true;
     const auto aslant = [&](const std::vector<Path>& way) {
         const double parked = -question.place.start.heading;  // the chart lies halfway
         return way.empty() ? 0.0 : std::abs(way.back().at(way.back().length).heading - parked);
