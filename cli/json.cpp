@@ -38,6 +38,12 @@ std::string leave_json(const EntryQuestion& question, const Answer& answer) {
     return write(leave_as_json(question.car, question.slot, answer, question.options.driving));
 }
 
+std::string park_json(const ParkQuestion& question, const ParkAnswer& answer) {
+    if (question.street)
+        return write(park_as_json(question.car, *question.street, question.scene.start, question.options, answer));
+    return write(park_as_json(question.car, question.scene, question.options, answer));
+}
+
 std::string atlas_json(const EntryQuestion& question, AtlasStrategy strategy, const Answer& answer,
                        const AtlasCell& cell) {
     Json json = strategy == AtlasStrategy::fewest ? fewest_object(question, answer)
