@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "cli/command.hpp"
@@ -126,6 +127,31 @@ void NeighbourOptions::describe(SlotDimensions& slot) const {
     slot.curb = curb.value_or(Curb::high);
 }
 
+StreetOptions::StreetOptions(Options& options)
+    : angle(options.group("Street").number("--angle", "DEG",
+                                           "Between the parked car and the street [degrees]: 0\n(parallel, default) to "
+                                           "90 (perpendicular).",
+                                           {" degrees", 0.0, 90.0})),
+      road(options.number("--road", "M", "A wall along the street so far beyond the slot's edge\n[m] (none).", size)),
+      stretch(options.number("--stretch", "M", "How far ahead of and behind the slot the rear axle\nmay go [m] (10).",
+                             {" m", 0.0, 1e4})) {}
+
+Street StreetOptions::street(const SlotDimensions& slot) const {
+    Street street;
+    street.length = slot.length;
+    street.width = slot.width;
+    street.angle = std::min(angle.value_or(0.0) * degree, limits::quarter_turn);
+    if (road) street.road = *road;
+    street.stretch = stretch.value_or(street.stretch);
+    street.side = slot.side;
+    street.corner = slot.corner;
+    street.heading = slot.heading;
+    street.front_setback = slot.front_setback;
+    street.rear_setback = slot.rear_setback;
+    street.curb = slot.curb;
+    return street;
+}
+
 ParkedOptions::ParkedOptions(Options& options)
     : heading(options.group("What counts as parked")
                   .number("--parked-heading", "DEG", "At most so far off parallel [degrees] (any heading).",
@@ -163,14 +189,14 @@ Driving DrivingOptions::driving(const NeighbourOptions& neighbours) const {
     return with_curb;
 }
 
-Option<double> resolution_option(Options& options, const std::string& finest_by_default) {
+Option<double> resolution_option(Options& options, const std::string& finest_by_default, const std::string& begins) {
     return options.number("--resolution", "M",
-                          "fewest: finest lattice [m] (a " + finest_by_default + " of the\ncar's length).",
+                          begins + " lattice [m] (" + (finest_by_default[0] == 'e' ? "an " : "a ") + finest_by_default + " of the\ncar's length).",
                           {" m", limits::finest, limits::longest});
 }
 
-Option<double> time_limit_option(Options& options) {
-    return options.number("--time-limit", "S", "fewest: end with the bounds found by then [s].", {" s", 0.0, 1e9});
+Option<double> time_limit_option(Options& options, const std::string& begins) {
+    return options.number("--time-limit", "S", begins + " with the bounds found by then [s].", {" s", 0.0, 1e9});
 }
 
 SteppingOptions::SteppingOptions(Options& options)

@@ -33,6 +33,12 @@ std::string leave_json(const EntryQuestion& question, const Answer& answer) {
     return write(leave_as_json(question.car, question.slot, answer, question.options.driving));
 }
 
+std::string park_json(const ParkQuestion& question, const ParkAnswer& answer) {
+    if (question.street)
+        return write(park_as_json(question.car, *question.street, question.scene.start, question.options, answer));
+    return write(park_as_json(question.car, question.scene, question.options, answer));
+}
+
 std::string atlas_json(const EntryQuestion& question, Strategy strategy, const Answer& answer, const AtlasCell& cell) {
     Json json = strategy == Strategy::fewest ? fewest_object(question, answer)
                                              : as_json(question.car, question.slot, question.options, answer);

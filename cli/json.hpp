@@ -7,6 +7,7 @@
 
 #include "cli/entry.hpp"
 #include "cli/min_slot.hpp"
+#include "cli/park.hpp"
 #include "snug/atlas.hpp"
 #include "snug/io.hpp"
 #include "snug/leave.hpp"
@@ -20,6 +21,7 @@ std::string cars_json(const std::vector<Car>& cars);
 std::string entry_json(const EntryQuestion& question, const Answer& answer);
 std::string fewest_json(const EntryQuestion& question, const Answer& answer);
 std::string leave_json(const EntryQuestion& question, const Answer& answer);
+std::string park_json(const ParkQuestion& question, const ParkAnswer& answer);
 /// The answer of an atlas, with the stored cell that it comes from.
 std::string atlas_json(const EntryQuestion& question, Strategy strategy, const Answer& answer, const AtlasCell& cell);
 std::string waypoints_json(const std::vector<Waypoint>& waypoints);

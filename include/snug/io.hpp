@@ -10,6 +10,8 @@
 #include "snug/entry.hpp"
 #include "snug/fewest.hpp"
 #include "snug/min_slot.hpp"
+#include "snug/park.hpp"
+#include "snug/scene.hpp"
 #include "snug/waypoints.hpp"
 
 namespace snug {
@@ -53,6 +55,16 @@ Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, c
 Json as_json(const MinSlot& slot, const MinSlotOptions& options);
 /// The answer of `snug leave --format json`.
 Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer, const Driving& driving = {});
+
+/// The answer of `snug park --format json`, in a street or in a scene.
+Json park_as_json(const Car& car, const Street& street, const Pose& start, const ParkOptions& options,
+                  const ParkAnswer& answer);
+Json park_as_json(const Car& car, const Scene& scene, const ParkOptions& options, const ParkAnswer& answer);
+/// The same as CSV: a row for every move.
+std::string park_as_csv(const Place& place, const ParkAnswer& answer);
+/// A street's slot, and a scene as a file of its own.
+Json as_json(const Street& street);
+Json as_json(const Scene& scene);
 
 /// `snug entry --waypoints FILE.json`: `schema` and `waypoints`, a list of objects.
 Json as_json(const std::vector<Waypoint>& waypoints);

@@ -193,7 +193,12 @@ inline First<Plain<double>> first_in_sector(const TurningFrame& frame, const Sec
 
 /// Which corner or edge it is that meets something in a sector, by its index in the outline.
 int part_met(const TurningFrame& frame, const Sector& sector, Meets meets, int edge);
-/// What that is called in the world.
+/// The part of an outline at one of its corners, or along one of its edges, named by where it is.
+CarPart corner_at(const Outline& outline, const Point& point);
+CarPart edge_at(const Outline& outline, const Point& from, const Point& to);
+/// The wheel in that quarter of the car.
+CarPart wheel(CarPart corner);
+/// What is met is called so in the world.
 Contact contact_of(const Car& car, const Slot& slot, Enter enter, const Problem& problem, Meets meets, int part);
 
 }  // namespace snug::detail
