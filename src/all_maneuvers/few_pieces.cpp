@@ -104,6 +104,39 @@ std::vector<Path> arc_and_line(const Pose& from, const Pose& to, double way, dou
     return off < 1e-7 ? pieces : std::vector<Path>{};
 }
 
+/// Two arcs, no tighter than the tightest, whose common tangent is as far from either pose. Empty where there are none.
+std::vector<Path> two_arcs(const Pose& from, const Pose& to, double way, double radius) {
+    const auto direction = [&](double heading) {
+        const auto [s, c] = angles::sine_cosine(heading);
+        return Point{way * c, way * s};
+    };
+    const Point one = direction(from.heading), two = direction(to.heading);
+    const Point across = {to.x - from.x, to.y - from.y};
+    const double square = across.x * across.x + across.y * across.y;
+    const double along = across.x * (one.x + two.x) + across.y * (one.y + two.y);
+    const double apart = 2.0 * (1.0 - (one.x * two.x + one.y * two.y));
+    if (!(square > 1e-4 && along > 0.0)) return {};
+    // Both tangents are so long: apart tangent^2 + 2 along tangent = square.
+    const double tangent = square / (along + std::sqrt(along * along + apart * square));
+    const Point middle = {(from.x + to.x + tangent * (one.x - two.x)) / 2.0,
+                          (from.y + to.y + tangent * (one.y - two.y)) / 2.0};
+    std::vector<Path> pieces;
+    Pose at = from;
+    for (const Point& end : {middle, Point{to.x, to.y}}) {
+        const Point tangent_here = direction(at.heading);
+        const double x = end.x - at.x, y = end.y - at.y;
+        const double chord = angles::hypot(x, y);
+        const double sine = (tangent_here.x * y - tangent_here.y * x) / chord;  // of half of what it turns
+        const double bend = 2.0 * sine / chord;
+        if (!(tangent_here.x * x + tangent_here.y * y > 0.0) || std::abs(bend) * radius > 1.0 || std::abs(bend) < 1e-4)
+            return {};
+        pieces.push_back({at, way * bend, way, 2.0 * std::abs(angles::asin(sine) / bend)});
+        at = pieces.back().at(pieces.back().length);
+    }
+    const double off = std::abs(at.x - to.x) + std::abs(at.y - to.y) + std::abs(at.heading - to.heading);
+    return off < 1e-7 ? pieces : std::vector<Path>{};
+}
+
 bool stays_in_chart(const std::vector<Path>& way) {
     for (const Path& piece : way)
         if (std::abs(angles::sin(piece.at(piece.length).heading)) > steepest_sine ||
@@ -204,6 +237,8 @@ struct Joints {
 std::vector<std::vector<Path>> ways_to_join(const Pose& from, const Pose& to, double way, double radius) {
     std::vector<std::vector<Path>> ways = ways_between(from, to, way, radius);
     std::vector<Path> wide = arc_and_line(from, to, way, radius);
+    if (!wide.empty()) ways.push_back(std::move(wide));
+    wide = two_arcs(from, to, way, radius);
     if (!wide.empty()) ways.push_back(std::move(wide));
     return ways;
 }
