@@ -82,8 +82,7 @@ std::string refusal(const EntryQuestion& question) {
               " deg wide\nparks with " + (options.max_changes == 0 ? "" : "up to ") +
               changes(options.max_changes.value_or(200));
     } else {
-        const bool trials = std::holds_alternative<ReversedTrials>(options.strategy) ||
-                            std::holds_alternative<ParallelTrials>(options.strategy);
+        const bool trials = question.baseline && !std::holds_alternative<Stepping>(*question.baseline);
         why = (trials ? "trials do not reach the goal with " : "no entry heading parks with ") +
               std::string(options.max_changes == 0 ? "" : "up to ") + changes(options.max_changes.value_or(200));
     }

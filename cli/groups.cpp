@@ -115,9 +115,13 @@ NeighbourOptions::NeighbourOptions(Options& options)
       curb_clearance(
           options.number("--curb-clearance", "M", "Distance to keep from the curb [m] (as --clearance).", distance)) {}
 
+void NeighbourOptions::check_within(double width) const {
+    check_setback(front_setback, width);
+    check_setback(rear_setback, width);
+}
+
 void NeighbourOptions::describe(SlotDimensions& slot) const {
-    check_setback(front_setback, slot.width);
-    check_setback(rear_setback, slot.width);
+    check_within(slot.width);
     slot.front_setback = front_setback.value_or(0.0);
     slot.rear_setback = rear_setback.value_or(0.0);
     slot.curb = curb.value_or(Curb::high);

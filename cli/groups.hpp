@@ -10,6 +10,7 @@
 #include "snug/error.hpp"
 #include "snug/fewest.hpp"
 #include "snug/place.hpp"
+#include "snug/stepping.hpp"
 
 namespace snug::cli {
 
@@ -30,6 +31,8 @@ struct NeighbourOptions {
     explicit NeighbourOptions(Options& options);
     /// Adds to a slot what stands beside it. Throws Error when a neighbour begins deeper than the slot.
     void describe(SlotDimensions& slot) const;
+    /// Throws Error when a neighbour begins deeper than a slot of that width.
+    void check_within(double width) const;
 
     Option<double> front_setback;
     Option<double> rear_setback;

@@ -57,7 +57,7 @@ std::string verdict(const Car& car, const Slot& slot, const Answer& answer, cons
     if (answer.parkable()) {
         return "the car can park; no maneuver is given";
     }
-    const Shortfall lacking = shortfall(car, slot, options.driving.clearance);
+    const Shortfall lacking = shortfall(car, slot, options.driving);
     const Unit unit = unit_for(car.length());
     std::string text = "cannot park";
     if (lacking.length > 0.0) {

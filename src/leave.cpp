@@ -9,7 +9,7 @@
 #include "all_maneuvers/search.hpp"
 #include "contact/entering.hpp"
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug {
 

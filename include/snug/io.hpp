@@ -9,6 +9,7 @@
 
 #include "snug/entry.hpp"
 #include "snug/fewest.hpp"
+#include "snug/min_slot.hpp"
 #include "snug/park.hpp"
 #include "snug/scene.hpp"
 #include "snug/waypoints.hpp"
@@ -43,12 +44,15 @@ Json as_json(const Pose& pose);
 Json as_json(const Box& box);
 Json as_json(const Move& move);
 Json as_json(const Maneuver& maneuver);
-/// The answer of `snug entry --format json`.
-Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const Answer& answer);
+/// The answer of `snug entry --format json`; the strategy may be the name of a baseline.
+Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const Answer& answer,
+             std::string_view strategy = "max-steer");
 
 /// The answer of `snug entry --strategy fewest --format json`, with `proved` and `lower_bound`. `max_changes` as asked.
 Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const Answer& answer,
              const Driving& driving = {}, const Parked& parked = {});
+/// A row of `snug min-slot --format json`.
+Json as_json(const MinSlot& slot, const MinSlotOptions& options);
 /// The answer of `snug leave --format json`.
 Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer, const Driving& driving = {});
 
@@ -66,9 +70,6 @@ Json as_json(const Scene& scene);
 Json as_json(const std::vector<Waypoint>& waypoints);
 /// `snug entry --waypoints FILE.csv`: a row for each, all numbers, the direction 1 forward and -1 backward.
 std::string as_csv(const std::vector<Waypoint>& waypoints);
-
-/// "max-steer", "stepping", "reversed-trials", "parallel-trials"
-std::string_view to_string(const Strategy& strategy);
 
 /// JSON text: what fits on a line stays on one; ends with a newline.
 std::string write(const Json& json);
