@@ -191,7 +191,8 @@ Driving DrivingOptions::driving(const NeighbourOptions& neighbours) const {
 
 Option<double> resolution_option(Options& options, const std::string& finest_by_default, const std::string& begins) {
     return options.number("--resolution", "M",
-                          begins + " lattice [m] (" + (finest_by_default[0] == 'e' ? "an " : "a ") + finest_by_default + " of the\ncar's length).",
+                          begins + " lattice [m] (" + (finest_by_default[0] == 'e' ? "an " : "a ") + finest_by_default +
+                              " of the\ncar's length).",
                           {" m", limits::finest, limits::longest});
 }
 

@@ -3,13 +3,10 @@
 
 #include <numbers>
 
-#include "cli/command.hpp"
-#include "cli/groups.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "cli/waypoints.hpp"
 #include "sentences/check.hpp"
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
@@ -164,25 +161,31 @@ Action parse_park(const Arguments& arguments) {
     const Asked asked(options);
     if (!options.read(arguments)) return say(options.help());
     const ParkQuestion whole = question(asked);
-    const Format format = asked.output.format();
-    const std::optional<PictureFile> picture = picture_file(asked.draw, asked.output);
-    const std::optional<WaypointsFile> route = waypoints_file(asked.waypoints, asked.draw, asked.output.file);
-    return [whole, format, picture, route, path = asked.output.path()] {
-        ParkOptions watched_options = whole.options;
+    ParkFiles files;
+    files.format = asked.output.format();
+    files.picture = picture_file(asked.draw, asked.output);
+    files.route = waypoints_file(asked.waypoints, asked.draw, asked.output.file);
+    files.path = asked.output.path();
+    return park_action(whole, files);
+}
+
+Action park_action(const ParkQuestion& question, const ParkFiles& files) {
+    return [question, files] {
+        ParkOptions options = question.options;
         const auto show = show_bounds();
-        watched_options.progress = [&](const ParkProgress& so_far) {
+        options.progress = [&](const ParkProgress& so_far) {
             if (show) show(so_far);
             return interruption() == 0;
         };
         ParkAnswer answer;
         {
             const Interruptible interruptible;
-            answer = park(whole.car, whole.scene.place, whole.scene.start, watched_options);
+            answer = park(question.car, question.scene.place, question.scene.start, options);
         }
         if (show) wipe_progress();
-        if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
-        if (picture) write_file("--draw", picture->path, drawn(*picture, whole, answer));
-        put_out(path, written(format, whole, answer));
+        if (files.route) write_file("--waypoints", files.route->path, written(*files.route, answer.maneuver));
+        if (files.picture) write_file("--draw", files.picture->path, drawn(*files.picture, question, answer));
+        put_out(files.path, written(files.format, question, answer));
         return interruption() != 0 ? interruption() : exit_code(answer);
     };
 }

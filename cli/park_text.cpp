@@ -25,14 +25,15 @@ Slot slot_of(const Street& street) {
                  .heading = street.heading});
 }
 
-/// "parks in the 5.200 x 2.000 m slot on the right", or "parks in the scene"
+/// "in the 5.200 x 2.000 m slot on the right", or "in the scene"; without "in" when leaving
 std::string into_what(const ParkQuestion& question) {
-    if (!question.street) return "in the scene";
+    const std::string in = question.leaving ? "" : "in ";
+    if (!question.street) return in + "the scene";
     const Street& street = *question.street;
     const std::string side = street.side == Side::right ? "right" : "left";
     const std::string size = fixed(street.length, 3) + " x " + metres(street.width);
-    if (street.angle == 0.0) return "in the " + size + " slot on the " + side;
-    return "in the " + size + " bay at " + fixed(street.angle / degree, 1) + " deg on the " + side + ",\n" +
+    if (street.angle == 0.0) return in + "the " + size + " slot on the " + side;
+    return in + "the " + size + " bay at " + fixed(street.angle / degree, 1) + " deg on the " + side + ",\n" +
            (street.enter == Enter::backward ? "tail first" : "nose first");
 }
 
@@ -98,7 +99,7 @@ std::string moves(const ParkQuestion& question, const ParkAnswer& answer) {
         const bool last = i + 1 == maneuver.moves.size();
         std::string until = "turn the wheel on the way";
         if (last || maneuver.moves[i + 1].direction != move.direction) {
-            until = last ? "stop: parked" : "stop here";
+            until = !last ? "stop here" : question.leaving ? "stop: out on the road" : "stop: parked";
             if (!last && i < answer.stops.size() && answer.stops[i].gap.distance < near) {
                 const ParkStop& stop = answer.stops[i];
                 const std::string what = the(question.scene.place, stop.obstacle);
@@ -120,7 +121,7 @@ std::string result(const ParkQuestion& question, const ParkAnswer& answer) {
     Rows rows = {{"driven", metres(answer.maneuver->length()) + " in all"}};
     for (std::vector<std::string>& row : distances(question, goal)) rows.push_back(std::move(row));
     rows.push_back({"angle", fixed(std::abs(off(goal.heading - parked_heading(question.scene.place))), 3) +
-                                 " deg off the parked heading"});
+                                 (question.leaving ? " deg off the street's heading" : " deg off the parked heading")});
     return "\nHow it ends\n" + table(rows, "ll");
 }
 
@@ -136,7 +137,7 @@ double nearest(const ParkQuestion& question, const Maneuver& maneuver) {
 /// More changes that save a detour, keep more distance or end straighter; how to drive them is in the JSON.
 std::string alternatives(const ParkQuestion& question, const ParkAnswer& answer) {
     if (answer.alternatives.empty()) return "";
-    Rows rows = {{"changes", "driven", "nearest to anything", "off the parked heading"}};
+    Rows rows = {{"changes", "driven", "nearest to anything", "off the heading"}};
     const auto add = [&](const Maneuver& maneuver) {
         const double aslant = std::abs(off(maneuver.goal().heading - parked_heading(question.scene.place)));
         rows.push_back({std::to_string(maneuver.direction_changes()), metres(maneuver.length()),
@@ -159,9 +160,9 @@ std::string proof(const ParkAnswer& answer) {
 
 /// Why there is no maneuver, as far as that is known.
 std::string refusal(const ParkQuestion& question, const ParkAnswer& answer) {
-    const std::string begins =
-        name(question.car) + (answer.proved ? " cannot park " : " may park ") + into_what(question) + ":\n";
-    if (question.street) {
+    const std::string begins = name(question.car) + (answer.proved ? " cannot " : " may ") +
+                               (question.leaving ? "leave " : "park ") + into_what(question) + ":\n";
+    if (question.street && !question.leaving) {
         Driving driving;
         driving.clearance = question.options.clearance;
         driving.curb_clearance = question.street->curb_clearance;
@@ -186,9 +187,9 @@ std::string refusal(const ParkQuestion& question, const ParkAnswer& answer) {
 
 std::string park_text(const ParkQuestion& question, const ParkAnswer& answer) {
     if (!answer.maneuver) return refusal(question, answer);
-    return name(question.car) + " parks " + into_what(question) + "\nwith " + changes(*answer.direction_changes) +
-           ".\n" + where_it_stands(question) + moves(question, answer) + result(question, answer) +
-           alternatives(question, answer) + proof(answer);
+    return name(question.car) + (question.leaving ? " leaves " : " parks ") + into_what(question) + "\nwith " +
+           changes(*answer.direction_changes) + ".\n" + where_it_stands(question) + moves(question, answer) +
+           result(question, answer) + alternatives(question, answer) + proof(answer);
 }
 
 }  // namespace snug::cli

@@ -205,7 +205,8 @@ Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& opt
     answer.direction_changes = fewest;
     answer.ranges = ranges_of(found, options.max_changes ? limit : *fewest, width);
     const MaxSteerOptions drive = {*fewest, options.driving, options.parked};
-    answer.maneuver = max_steer(car, slot, middle(*widest_range(answer.ranges, *fewest)), drive).maneuver;
+    answer.maneuver =
+        detail::max_steer(car, slot, steering, middle(*widest_range(answer.ranges, *fewest)), drive).maneuver;
     return answer;
 }
 

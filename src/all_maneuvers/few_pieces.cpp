@@ -104,6 +104,39 @@ std::vector<Path> arc_and_line(const Pose& from, const Pose& to, double way, dou
     return off < 1e-7 ? pieces : std::vector<Path>{};
 }
 
+/// Two arcs, no tighter than the tightest, whose common tangent is as far from either pose. Empty where there are none.
+std::vector<Path> two_arcs(const Pose& from, const Pose& to, double way, double radius) {
+    const auto direction = [&](double heading) {
+        const auto [s, c] = angles::sine_cosine(heading);
+        return Point{way * c, way * s};
+    };
+    const Point one = direction(from.heading), two = direction(to.heading);
+    const Point across = {to.x - from.x, to.y - from.y};
+    const double square = across.x * across.x + across.y * across.y;
+    const double along = across.x * (one.x + two.x) + across.y * (one.y + two.y);
+    const double apart = 2.0 * (1.0 - (one.x * two.x + one.y * two.y));
+    if (!(square > 1e-4 && along > 0.0)) return {};
+    // Both tangents are so long: apart tangent^2 + 2 along tangent = square.
+    const double tangent = square / (along + std::sqrt(along * along + apart * square));
+    const Point middle = {(from.x + to.x + tangent * (one.x - two.x)) / 2.0,
+                          (from.y + to.y + tangent * (one.y - two.y)) / 2.0};
+    std::vector<Path> pieces;
+    Pose at = from;
+    for (const Point& end : {middle, Point{to.x, to.y}}) {
+        const Point tangent_here = direction(at.heading);
+        const double x = end.x - at.x, y = end.y - at.y;
+        const double chord = angles::hypot(x, y);
+        const double sine = (tangent_here.x * y - tangent_here.y * x) / chord;  // of half of what it turns
+        const double bend = 2.0 * sine / chord;
+        if (!(tangent_here.x * x + tangent_here.y * y > 0.0) || std::abs(bend) * radius > 1.0 || std::abs(bend) < 1e-4)
+            return {};
+        pieces.push_back({at, way * bend, way, 2.0 * std::abs(angles::asin(sine) / bend)});
+        at = pieces.back().at(pieces.back().length);
+    }
+    const double off = std::abs(at.x - to.x) + std::abs(at.y - to.y) + std::abs(at.heading - to.heading);
+    return off < 1e-7 ? pieces : std::vector<Path>{};
+}
+
 bool stays_in_chart(const std::vector<Path>& way) {
     for (const Path& piece : way)
         if (std::abs(angles::sin(piece.at(piece.length).heading)) > steepest_sine ||
@@ -180,6 +213,7 @@ std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Pat
 namespace {
 
 constexpr double worth_a_piece = 0.8;  ///< of length [m]
+constexpr double worth_holding = 0.3;  ///< the wheel between straight and full [m]
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_joints = 24;  ///< of a move that are looked at
 
@@ -204,6 +238,8 @@ struct Joints {
 std::vector<std::vector<Path>> ways_to_join(const Pose& from, const Pose& to, double way, double radius) {
     std::vector<std::vector<Path>> ways = ways_between(from, to, way, radius);
     std::vector<Path> wide = arc_and_line(from, to, way, radius);
+    if (!wide.empty()) ways.push_back(std::move(wide));
+    wide = two_arcs(from, to, way, radius);
     if (!wide.empty()) ways.push_back(std::move(wide));
     return ways;
 }
@@ -237,11 +273,11 @@ Joints joints_of(const ChartPlace& place, const std::vector<Path>& move) {
         for (std::size_t k = i * step; k < std::min((i + 1) * step, cut.size()); ++k)
             joints.next[i].push_back(cut[k]);  // as it was
         joints.to[i] = i + 1;
-        joints.rest[i] = trouble(joints.next[i]) + joints.rest[i + 1];
+        joints.rest[i] = trouble(joints.next[i], place.radius) + joints.rest[i + 1];
         for (std::size_t j = i + 1; j < n; ++j) {
             for (std::vector<Path>& pieces :
                  ways_between(joints.poses[i], joints.poses[j], move[0].way, place.radius)) {
-                const double costs = trouble(pieces) + joints.rest[j];
+                const double costs = trouble(pieces, place.radius) + joints.rest[j];
                 if (costs >= joints.rest[i] || !all_free(place, pieces)) continue;
                 joints.rest[i] = costs;
                 joints.next[i] = std::move(pieces);
@@ -298,19 +334,19 @@ bool improve(const ChartPlace& place, std::vector<Path>& move, std::vector<Path>
     const Joints joints = joints_of(place, after);
     double length = 0.0;
     for (const Path& piece : move) length += piece.length;
-    double least = trouble(move) + trouble(after) - 1e-6;
+    double least = trouble(move, place.radius) + trouble(after, place.radius) - 1e-6;
     std::optional<std::vector<Path>> begin;
     std::vector<Path> join;
     std::size_t joint = 0;
     const auto try_from = [&](const std::vector<Path>& beginning) {
-        const double costs = trouble(beginning);
+        const double costs = trouble(beginning, place.radius);
         if (costs >= least) return;
         const Pose there = end_of(beginning);
         int checked = -1;  // whether the beginning is free: only looked at when it matters
         for (std::size_t j = joints.poses.size(); j-- > 0;) {
             if (costs + joints.rest[j] >= least) continue;
             for (std::vector<Path>& pieces : ways_to_join(there, joints.poses[j], after[0].way, place.radius)) {
-                const double all = costs + trouble(pieces) + joints.rest[j];
+                const double all = costs + trouble(pieces, place.radius) + joints.rest[j];
                 if (all >= least) continue;
                 if (checked < 0) checked = all_free(place, beginning) ? 1 : 0;
                 if (checked == 0) return;
@@ -333,6 +369,36 @@ bool improve(const ChartPlace& place, std::vector<Path>& move, std::vector<Path>
     return true;
 }
 
+/// The last move with less trouble, if there is such to a place nearby where the car is parked as straight. A place that is
+/// farther off the one that was chosen is some trouble, too.
+bool improve_end(const ChartPlace& place, std::vector<Path>& move) {
+    constexpr double minds_along = 0.5, minds_across = 4.0;
+    const Pose goal = end_of(move);
+    const auto [s, c] = angles::sine_cosine(goal.heading);
+    double least = trouble(move, place.radius) - 1e-6;
+    std::vector<Path> best;
+    double before = 0.0;
+    for (std::size_t k = 0; k < move.size();
+         before = trouble({move.begin(), move.begin() + static_cast<std::ptrdiff_t>(++k)}, place.radius)) {
+        for (const double along : {0.0, -0.1, 0.1, -0.3, 0.3, -0.6, 0.6}) {
+            for (const double across : {0.0, -0.02, 0.02, -0.05, 0.05, -0.1, 0.1, -0.2, 0.2}) {
+                const double costs = before + minds_along * std::abs(along) + minds_across * std::abs(across);
+                const Pose end = {goal.x + along * c - across * s, goal.y + along * s + across * c, goal.heading};
+                if (costs >= least || !is_parked(place, end)) continue;
+                for (const std::vector<Path>& pieces : ways_to_join(move[k].start, end, move[0].way, place.radius)) {
+                    if (costs + trouble(pieces, place.radius) >= least || !all_free(place, pieces)) continue;
+                    least = costs + trouble(pieces, place.radius);
+                    best.assign(move.begin(), move.begin() + static_cast<std::ptrdiff_t>(k));
+                    best.insert(best.end(), pieces.begin(), pieces.end());
+                }
+            }
+        }
+    }
+    if (best.empty()) return false;
+    move = std::move(best);
+    return true;
+}
+
 /// Each piece begins where the one before it ends; those of one steering are one.
 std::vector<Path> chained(const Pose& start, const std::vector<std::vector<Path>>& moves) {
     std::vector<Path> way;
@@ -352,11 +418,26 @@ std::vector<Path> chained(const Pose& start, const std::vector<std::vector<Path>
     return way;
 }
 
+/// Leaves out a last touch of the wheel that nobody would notice.
+void drop_last_touch(const ChartPlace& place, const Pose& start, std::vector<std::vector<Path>>& moves) {
+    constexpr double touch = 0.1, turns = 0.005;  // [m] and [rad]
+    std::vector<Path>& last = moves.back();
+    const double length = last.back().length;
+    if (last.size() < 2 || length > touch || length * std::abs(last.back().curvature) > turns) return;
+    const Path dropped = last.back();
+    last.pop_back();
+    if (!is_parked(place, end_of(chained(start, moves)))) last.push_back(dropped);
+}
+
 }  // namespace
 
-double trouble(const std::vector<Path>& way) {
+double trouble(const std::vector<Path>& way, double radius) {
     double sum = 0.0;
-    for (const Path& piece : way) sum += piece.length + worth_a_piece;
+    for (const Path& piece : way) {
+        sum += piece.length + worth_a_piece;
+        const double bend = std::abs(piece.curvature) * radius;
+        if (bend > 0.0 && bend < 1.0 - 1e-9) sum += worth_holding;
+    }
     return sum;
 }
 
@@ -378,22 +459,14 @@ std::vector<Path> polished(const ChartPlace& place, const std::vector<Path>& way
         bool better = false;
         for (std::size_t k = 0; k + 1 < moves.size(); ++k) better = improve(place, moves[k], moves[k + 1]) || better;
         const std::vector<Path> last = joints_of(place, moves.back()).from(0);
-        better = better || trouble(last) < trouble(moves.back()) - 1e-6;
+        better = better || trouble(last, place.radius) < trouble(moves.back(), place.radius) - 1e-6;
         moves.back() = last;
+        drop_last_touch(place, way[0].start, moves);
+        better = improve_end(place, moves.back()) || better;
         if (!better) break;
     }
-    // A last touch of the wheel that nobody would notice.
-    std::vector<Path>& last = moves.back();
-    while (last.size() > 1 && last.back().length * std::abs(last.back().curvature) < 0.005 &&
-           last.back().length < 0.1) {
-        const std::vector<Path> touched = last;
-        last.pop_back();
-        if (is_drivable(place, chained(way[0].start, moves))) continue;
-        last = touched;
-        break;
-    }
     std::vector<Path> shorter = chained(way[0].start, moves);
-    return trouble(shorter) < trouble(way) ? shorter : way;
+    return trouble(shorter, place.radius) < trouble(way, place.radius) ? shorter : way;
 }
 
 }  // namespace snug::detail::sets

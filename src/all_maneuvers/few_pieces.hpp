@@ -16,8 +16,8 @@ std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Pat
 /// and the next one begins. It costs what `trouble` says, and never more than the way given.
 std::vector<Path> polished(const ChartPlace& place, const std::vector<Path>& way);
 
-/// What a driver minds: the length, and every piece as much as some more of it. [m]
-double trouble(const std::vector<Path>& way);
+/// What a driver minds, as so much length [m]: the length, every piece, and holding the wheel between straight and full.
+double trouble(const std::vector<Path>& way, double radius);
 
 /// How often the direction changes.
 int changes_of(const std::vector<Path>& way);

@@ -199,7 +199,7 @@ public:
         std::vector<Path> way = driven_well(*best);
         if (way.empty()) return way;
         std::vector<Path> other = shortest(best->grown / 2.0, way.back().at(way.back().length));
-        return other.empty() || trouble(other) >= trouble(way) ? way : other;
+        return other.empty() || trouble(other, place_.radius) >= trouble(way, place_.radius) ? way : other;
     }
 
     /// One within as small a part of the region around the start and a goal as will do; empty if none is found.
@@ -271,7 +271,7 @@ private:
             const ChartPlace wary = with_grown_car(place_, keeps);
             if (!is_drivable(wary, steps)) continue;
             std::vector<Path> way = polished(wary, with_few_pieces(wary, steps));
-            const double minds = trouble(way) - worth_of_distance * keeps;
+            const double minds = trouble(way, place_.radius) - worth_of_distance * keeps;
             if (minds < least && is_drivable(place_, way)) {
                 least = minds;
                 best = std::move(way);

@@ -189,6 +189,8 @@ bool is_out_of_reach(const std::vector<Point>& shape, const Path& piece, const s
            piece.start.y - reach > above;
 }
 
+}  // namespace
+
 bool is_parked(const ChartPlace& place, const Pose& pose) {
     const double sine = angles::sin(pose.heading);
     if (sine < place.parked_from - touch || sine > place.parked_to + touch) return false;
@@ -209,8 +211,6 @@ bool is_parked(const ChartPlace& place, const Pose& pose) {
     }
     return true;
 }
-
-}  // namespace
 
 bool is_free(const ChartPlace& place, const Path& piece) {
     for (const HalfPlane& edge : place.region)

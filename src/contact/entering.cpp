@@ -43,13 +43,15 @@ Obstacle other_end(Obstacle obstacle) {
 Problem entering_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked) {
     const bool low_curb = slot.curb() == Curb::low;
     const auto seen = [&](const Outline& outline) {
-        const Outline in_slot = slot.side() == Side::left ? outline.mirrored() : outline;
+        Outline in_slot = slot.side() == Side::left ? outline.mirrored() : outline;
         return driving.enter == Enter::forward ? in_slot.turned_about() : in_slot;
     };
-    const Outline frame = seen(car.outline());
-    Problem problem{frame.grown(driving.clearance),
-                    (low_curb ? seen(car.wheels()) : frame).grown(driving.at_curb()),
-                    frame,
+    Outline frame = seen(car.outline());
+    Outline body = frame.grown(driving.clearance);
+    Outline at_curb = low_curb ? seen(car.wheels()).grown(driving.at_curb()) : frame.grown(driving.at_curb());
+    Problem problem{std::move(body),
+                    std::move(at_curb),
+                    std::move(frame),
                     car.turning_radius(),
                     slot.length(),
                     slot.width(),

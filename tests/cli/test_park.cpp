@@ -196,6 +196,23 @@ TEST(ParkCommand, WritesPicturesAndWaypoints) {
               0);
 }
 
+TEST(LeaveCommand, LeavesBaysAndNarrowRoads) {
+    const std::string out = "leave --car renault-zoe --length 5 --width 2.5 --angle 90 --road 5 ";
+    const Json json = Json::parse(run(out + "--from -1.25,-4,1.5708 --format json").out);
+    EXPECT_EQ(json["direction_changes"], 0);
+    EXPECT_EQ(json["proved"], true);
+    EXPECT_EQ(json["slot"]["road"], 5.0);
+    expect_connected(json);
+    EXPECT_NEAR(json["maneuver"]["goal"]["heading"].get<double>(), 0.0, 0.1);
+    const std::string parked = "leave --car renault-zoe --length 5.2 --width 2 --gap-front 0.3 --gap-curb 0.1 ";
+    const Json narrow = Json::parse(run(parked + "--road 3 --format json").out);
+    const Json open = Json::parse(run(parked + "--format json").out);
+    EXPECT_GE(narrow["direction_changes"], open["lower_bound"]);
+    EXPECT_NE(run(out + "--from -1.25,-4,1.5708").out.find("stop: out on the road"), std::string::npos);
+    expect_refusal(run(out), {"--from is missing"});
+    expect_refusal(run(parked + "--from 1,2,3"), {"--gap-front", "--from", "exclude"});
+}
+
 TEST(ParkCommand, BadStreetsAreRefused) {
     expect_refusal(run(park), {"no place is given", "--length", "--scene"});
     expect_refusal(run("park --length 5 --width 2"), {"--car is missing"});
