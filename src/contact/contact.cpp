@@ -8,7 +8,7 @@
 #include "contact/parking.hpp"
 #include "contact/turning.hpp"
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug {
 

@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "model/check.hpp"
+#include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::detail {
 
@@ -62,6 +63,17 @@ Problem entering_problem(const Car& car, const Slot& slot, const Driving& drivin
     return problem;
 }
 
+LeastSlot least_slot(const Car& car, const Slot& slot, const Driving& driving) {
+    const auto kept_from = [&](double setback) { return setback > 0.0 ? 0.0 : driving.clearance; };
+    const Outline& stops = slot.curb() == Curb::low ? car.wheels() : car.outline();
+    const bool right = slot.side() == Side::right;
+    const double width = slot.curb() == Curb::low
+                             ? (right ? car.outline().left() + stops.right() : car.outline().right() + stops.left())
+                             : car.width();
+    return {car.length() + (kept_from(slot.front_setback()) + kept_from(slot.rear_setback())),
+            width + driving.at_curb()};
+}
+
 Pose to_world(const Slot& slot, Enter enter, const Pose& pose) {
     return slot.to_world(enter == Enter::backward ? pose : Pose{-slot.length() - pose.x, pose.y, -pose.heading});
 }
@@ -79,11 +91,11 @@ Contact to_world(const Slot& slot, Enter enter, const Contact& contact) {
 }
 
 void check(const MaxSteerOptions& options) {
-    check_between("maximum of direction changes", options.max_changes, 0.0, 100000.0, "");
+    check_between("maximum of direction changes", options.max_changes, 0.0, limits::most_changes, "");
     snug::check(options.driving);
     snug::check(options.parked);
 }
 
-void check_entry_heading(double heading) { check_between("entry heading", heading, 0.0, 1.5707963267948966, " rad"); }
+void check_entry_heading(double heading) { check_between("entry heading", heading, 0.0, limits::quarter_turn, " rad"); }
 
 }  // namespace snug::detail

@@ -266,9 +266,6 @@ FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const P
     return {first.found, first.c, first.s, first.order};
 }
 
-namespace {
-
-/// The part of an outline, named by where it is.
 CarPart corner_at(const Outline& outline, const Point& point) {
     const bool ahead = point.x > (outline.front() - outline.rear()) / 2.0;
     const bool to_the_left = point.y > (outline.left() - outline.right()) / 2.0;
@@ -286,6 +283,17 @@ CarPart edge_at(const Outline& outline, const Point& from, const Point& to) {
     return normal.y > 0.0 ? CarPart::left_edge : CarPart::right_edge;
 }
 
+CarPart wheel(CarPart corner) {
+    switch (corner) {
+        case CarPart::front_left_corner: return CarPart::front_left_wheel;
+        case CarPart::rear_left_corner: return CarPart::rear_left_wheel;
+        case CarPart::rear_right_corner: return CarPart::rear_right_wheel;
+        default: return CarPart::front_right_wheel;
+    }
+}
+
+namespace {
+
 Obstacle obstacle_of(Meets meets) {
     switch (meets) {
         case Meets::front_side:
@@ -295,15 +303,6 @@ Obstacle obstacle_of(Meets meets) {
         case Meets::rear_top: return Obstacle::rear_side;
         case Meets::rear_corner: return Obstacle::rear_corner;
         default: return Obstacle::curb;
-    }
-}
-
-CarPart wheel(CarPart corner) {
-    switch (corner) {
-        case CarPart::front_left_corner: return CarPart::front_left_wheel;
-        case CarPart::rear_left_corner: return CarPart::rear_left_wheel;
-        case CarPart::rear_right_corner: return CarPart::rear_right_wheel;
-        default: return CarPart::front_right_wheel;
     }
 }
 

@@ -185,7 +185,12 @@ struct FoundAt : Found {
 FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
                         int quarter, double c, double s);
 
-/// What that is called in the world.
+/// The part of an outline at one of its corners, or along one of its edges, named by where it is.
+CarPart corner_at(const Outline& outline, const Point& point);
+CarPart edge_at(const Outline& outline, const Point& from, const Point& to);
+/// The wheel in that quarter of the car.
+CarPart wheel(CarPart corner);
+/// What is met is called so in the world.
 Contact contact_of(const Car& car, const Slot& slot, Enter enter, const Problem& problem, Meets meets, int part);
 
 }  // namespace snug::detail
