@@ -131,24 +131,38 @@ private:
         leaves_.push_back({std::numeric_limits<double>::quiet_NaN(), never});  // ranges end here
     }
 
-    Run follow(double heading, int last_move) {
+    /// A run from a heading, driven so far: its moves begin at `first`, and its car stands where the last of them ended.
+    struct Begun {
+        FullSteeringRun car;
+        double heading;
+        std::size_t first;
+        std::size_t count = 0;
+    };
+    Begun begun(double heading) { return {FullSteeringRun(steering_, heading), heading, moves_.size()}; }
+
+    Run follow(double heading, int last_move) { return follow(begun(heading), last_move); }
+
+    Run follow(Begun from, int last_move) {
         Run run;
-        run.heading = heading;
+        run.heading = from.heading;
         run.first = moves_.size();
-        FullSteeringRun car(steering_, heading);
-        for (int n = 0; n <= last_move; ++n) {
+        for (std::size_t n = 0; n <= static_cast<std::size_t>(last_move); ++n) {
             FullMove& move = moves_.emplace_back();
-            car.drive<true>(move);
+            if (n < from.count) {
+                move = moves_[from.first + n];
+            } else {
+                from.car.drive<true>(move);
+                ++moves_driven_;
+            }
             if (move.depth <= 0.0) {
-                run.changes = n;
+                run.changes = static_cast<int>(n);
                 found_ = true;
-                if (find_ == Find::fewest) limit_ = std::min(limit_, n);
+                if (find_ == Find::fewest) limit_ = std::min(limit_, run.changes);
                 break;
             }
             if (ended(run)) break;
         }
         run.count = moves_.size() - run.first;
-        moves_driven_ += run.count;
         return run;
     }
 
@@ -272,6 +286,9 @@ private:
         Sample at_b = quantity(move(right, n));
         Run before;
         Run after;
+        // What is known of the runs from a and b; those from the ends have been driven to theirs.
+        Begun from_left = {FullSteeringRun(steering_, a), a, left.first, left.count};
+        Begun from_right = {FullSteeringRun(steering_, b), b, right.first, right.count};
         const bool left_is_out = at_a.value > 0.0;
         double two_ago = 16.0 * (b - a);
         double one_ago = two_ago;
@@ -287,44 +304,45 @@ private:
             two_ago = one_ago;
             one_ago = width;
             if (next <= a || next >= b) break;
-            const bool nearly_there = std::abs(step) < 1e3 * least_gap;  // then the run is kept
-            const std::size_t kept = moves_.size();
-            const Run run = nearly_there ? follow(next, limit_) : follow_to(next, n);
+            const bool nearly_there = std::abs(step) < 1e3 * least_gap;  // then the run is followed to its end
+            Begun there = begun(next);
+            const Run run = nearly_there ? follow(there, limit_) : follow_to(there, n);
             const Sample value = quantity(move(run, n));
-            const bool other_event = std::isnan(value.value) || (nearly_there && run.changes < static_cast<int>(n));
-            if (!nearly_there || other_event) moves_.resize(kept);
-            if (other_event) {  // leave it to the recursion
+            if (std::isnan(value.value) || (nearly_there && run.changes < static_cast<int>(n))) {
+                moves_.resize(mark);  // another event: leave it to the recursion
                 return split(left, right, (next - left.heading) / (right.heading - left.heading));
             }
             if ((value.value > 0.0) == left_is_out) {
                 a = next;
                 at_a = value;
                 before = nearly_there ? run : Run();
+                from_left = there;
             } else {
                 b = next;
                 at_b = value;
                 after = nearly_there ? run : Run();
+                from_right = there;
             }
         }
-        if (before.count == 0) before = follow(a, limit_);
-        if (after.count == 0) after = follow(b, limit_);
+        if (before.count == 0) before = follow(from_left, limit_);
+        if (after.count == 0) after = follow(from_right, limit_);
         explore(left, before);
         emit(before);
         explore(after, right);
         moves_.resize(mark);
     }
 
-    /// Like follow, up to move n and past parked ones.
-    Run follow_to(double heading, std::size_t n) {
+    /// Drives on up to move n, past parked ones.
+    Run follow_to(Begun& from, std::size_t n) {
         Run run;
-        run.heading = heading;
-        run.first = moves_.size();
-        FullSteeringRun car(steering_, heading);
+        run.heading = from.heading;
+        run.first = from.first;
         for (std::size_t i = 0; i <= n; ++i) {
-            car.drive<true>(moves_.emplace_back());
+            from.car.drive<true>(moves_.emplace_back());
             if (ended(run)) break;
         }
         run.count = moves_.size() - run.first;
+        from.count = run.count;
         moves_driven_ += run.count;
         return run;
     }
