@@ -6,7 +6,7 @@
 #include "contact/place_contact.hpp"
 #include "contact/turning.hpp"
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 #include "snug/contact.hpp"
 
 namespace snug {
