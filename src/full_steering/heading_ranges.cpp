@@ -131,38 +131,24 @@ private:
         leaves_.push_back({std::numeric_limits<double>::quiet_NaN(), never});  // ranges end here
     }
 
-    /// A run from a heading, driven so far: its moves begin at `first`, and its car stands where the last of them ended.
-    struct Begun {
-        FullSteeringRun car;
-        double heading;
-        std::size_t first;
-        std::size_t count = 0;
-    };
-    Begun begun(double heading) { return {FullSteeringRun(steering_, heading), heading, moves_.size()}; }
-
-    Run follow(double heading, int last_move) { return follow(begun(heading), last_move); }
-
-    Run follow(Begun from, int last_move) {
+    Run follow(double heading, int last_move) {
         Run run;
-        run.heading = from.heading;
+        run.heading = heading;
         run.first = moves_.size();
-        for (std::size_t n = 0; n <= static_cast<std::size_t>(last_move); ++n) {
+        FullSteeringRun car(steering_, heading);
+        for (int n = 0; n <= last_move; ++n) {
             FullMove& move = moves_.emplace_back();
-            if (n < from.count) {
-                move = moves_[from.first + n];
-            } else {
-                from.car.drive<true>(move);
-                ++moves_driven_;
-            }
+            car.drive<true>(move);
             if (move.depth <= 0.0) {
-                run.changes = static_cast<int>(n);
+                run.changes = n;
                 found_ = true;
-                if (find_ == Find::fewest) limit_ = std::min(limit_, run.changes);
+                if (find_ == Find::fewest) limit_ = std::min(limit_, n);
                 break;
             }
             if (ended(run)) break;
         }
         run.count = moves_.size() - run.first;
+        moves_driven_ += run.count;
         return run;
     }
 
@@ -286,9 +272,6 @@ private:
         Sample at_b = quantity(move(right, n));
         Run before;
         Run after;
-        // What is known of the runs from a and b; those from the ends have been driven to theirs.
-        Begun from_left = {FullSteeringRun(steering_, a), a, left.first, left.count};
-        Begun from_right = {FullSteeringRun(steering_, b), b, right.first, right.count};
         const bool left_is_out = at_a.value > 0.0;
         double two_ago = 16.0 * (b - a);
         double one_ago = two_ago;
@@ -304,45 +287,44 @@ private:
             two_ago = one_ago;
             one_ago = width;
             if (next <= a || next >= b) break;
-            const bool nearly_there = std::abs(step) < 1e3 * least_gap;  // then the run is followed to its end
-            Begun there = begun(next);
-            const Run run = nearly_there ? follow(there, limit_) : follow_to(there, n);
+            const bool nearly_there = std::abs(step) < 1e3 * least_gap;  // then the run is kept
+            const std::size_t kept = moves_.size();
+            const Run run = nearly_there ? follow(next, limit_) : follow_to(next, n);
             const Sample value = quantity(move(run, n));
-            if (std::isnan(value.value) || (nearly_there && run.changes < static_cast<int>(n))) {
-                moves_.resize(mark);  // another event: leave it to the recursion
+            const bool other_event = std::isnan(value.value) || (nearly_there && run.changes < static_cast<int>(n));
+            if (!nearly_there || other_event) moves_.resize(kept);
+            if (other_event) {  // leave it to the recursion
                 return split(left, right, (next - left.heading) / (right.heading - left.heading));
             }
             if ((value.value > 0.0) == left_is_out) {
                 a = next;
                 at_a = value;
                 before = nearly_there ? run : Run();
-                from_left = there;
             } else {
                 b = next;
                 at_b = value;
                 after = nearly_there ? run : Run();
-                from_right = there;
             }
         }
-        if (before.count == 0) before = follow(from_left, limit_);
-        if (after.count == 0) after = follow(from_right, limit_);
+        if (before.count == 0) before = follow(a, limit_);
+        if (after.count == 0) after = follow(b, limit_);
         explore(left, before);
         emit(before);
         explore(after, right);
         moves_.resize(mark);
     }
 
-    /// Drives on up to move n, past parked ones.
-    Run follow_to(Begun& from, std::size_t n) {
+    /// Like follow, up to move n and past parked ones.
+    Run follow_to(double heading, std::size_t n) {
         Run run;
-        run.heading = from.heading;
-        run.first = from.first;
+        run.heading = heading;
+        run.first = moves_.size();
+        FullSteeringRun car(steering_, heading);
         for (std::size_t i = 0; i <= n; ++i) {
-            from.car.drive<true>(moves_.emplace_back());
+            car.drive<true>(moves_.emplace_back());
             if (ended(run)) break;
         }
         run.count = moves_.size() - run.first;
-        from.count = run.count;
         moves_driven_ += run.count;
         return run;
     }
