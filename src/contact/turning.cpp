@@ -251,6 +251,7 @@ FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const P
                         sector.reaches_down >= around.above_curb});
     const TurningEdge* const edges = frame.edges.data();
     const int count = static_cast<int>(frame.edges.size() / 2);
+    // Inlined twice by force, so that `first` stays in registers.
     const auto edges_meet = [&](int from, int to, double gx, double gy, Meets meets) __attribute__((always_inline)) {
         const double square = gx * gx + gy * gy;
         const TurningEdge* const last = edges + (to < from ? to + count : to);
