@@ -29,11 +29,12 @@
 #include "contact/entering.hpp"
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 namespace {
 
-constexpr double quarter_turn = std::numbers::pi / 2.0;
+using limits::quarter_turn;
 constexpr double most_steps_in_a_turn = 1e9;
 
 /// Position of the rear axle centre and heading vector.

@@ -14,6 +14,7 @@
 #include "snug/contact.hpp"
 #include "snug/entry.hpp"
 #include "snug/entry_position.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 
@@ -21,7 +22,7 @@ namespace {
 
 using namespace detail;
 
-constexpr double quarter_turn = 1.57079632679489661923;
+using limits::quarter_turn;
 constexpr double negligible = 5e-10;  ///< moves shorter than this are left out [m]
 constexpr double rounding = 1e-10;    ///< what rounding may do to a position, amply [m]
 constexpr double touching = 1e-9;     ///< of the car's length: a goal may stick out that far
@@ -116,7 +117,8 @@ std::string named(const Pose& pose) {
 
 void check_finite(const std::optional<Pose>& goal) {
     if (!goal) return;
-    for (const double value : {goal->x, goal->y, goal->heading}) check_between(named(*goal), value, -1e9, 1e9, "");
+    for (const double value : {goal->x, goal->y, goal->heading})
+        check_between(named(*goal), value, -limits::farthest, limits::farthest, "");
 }
 
 /// A goal of the world in the entering frame, its heading between -pi and pi. Throws Error when it is no goal.

@@ -218,8 +218,9 @@ std::string no_way(const EntryQuestion& question, const char* what, int max_chan
     if (!lacking.empty()) return car_and_slot + "the slot is " + lacking + " for the car.\n";
     const std::string most = (max_changes == 0 ? "" : "up to ") + changes(max_changes);
     if (answer.proved) return car_and_slot + "no maneuver whatsoever does with " + most + ", which is proved.\n";
-    return car_and_slot + "no maneuver was found with " + most + ", but only fewer than " +
-           changes(answer.lower_bound) + "\nare proved impossible.\n";
+    const std::string found = car_and_slot + "no maneuver was found with " + most;
+    if (answer.lower_bound == 0) return found + " within the limits given,\nand nothing is proved.\n";
+    return found + ", but only fewer than " + changes(answer.lower_bound) + "\nare proved impossible.\n";
 }
 
 }  // namespace

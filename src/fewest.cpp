@@ -81,7 +81,7 @@ Answer fewest(const Car& car, const Slot& slot, const FewestOptions& options) {
         // it is asked only for as many changes as the lattices may need.
         ask_full_steering(std::min(options.max_changes, few_changes));
         if (!bounds.upper && options.time_limit < std::numeric_limits<double>::infinity())
-            at_hand = moves_at_hand(question, watch);
+            at_hand = moves_at_hand(question, watch_of(options, bounds, limits_at_hand));
         const int depth = bounds.upper ? *bounds.upper : sensible_depth(question, watch);
         if (!bounds.upper && depth > few_changes) ask_full_steering(depth);
         narrow(question, depth, bounds, watch);

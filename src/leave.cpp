@@ -10,6 +10,7 @@
 #include "contact/entering.hpp"
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 
@@ -73,9 +74,9 @@ void check_parked(const Ground& ground, const Pose& pose) {
 }  // namespace
 
 Pose parked_pose(const Car& car, const Slot& slot, const ParkedGaps& gaps) {
-    check_between("gap to the front neighbour", gaps.front, 0.0, 1e6, " m");
-    check_between("gap to the curb", gaps.curb, 0.0, 1e6, " m");
-    check_between("heading of the parked car", gaps.heading, -1e9, 1e9, " rad");
+    check_between("gap to the front neighbour", gaps.front, 0.0, limits::longest, " m");
+    check_between("gap to the curb", gaps.curb, 0.0, limits::longest, " m");
+    check_between("heading of the parked car", gaps.heading, -limits::farthest, limits::farthest, " rad");
     // Where the slot is on the left, its frame is the world's mirror image.
     const Box box = box_of(frame(slot.side() == Side::left ? car.mirrored() : car, {0.0, 0.0, gaps.heading}));
     return slot.to_world(Pose{-gaps.front - box.x_max, gaps.curb - slot.width() - box.y_min, gaps.heading});
@@ -84,7 +85,7 @@ Pose parked_pose(const Car& car, const Slot& slot, const ParkedGaps& gaps) {
 Answer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOptions& options) {
     check(options);
     for (const double value : {pose.x, pose.y, pose.heading})
-        check_between("pose of the parked car", value, -1e9, 1e9, "");
+        check_between("pose of the parked car", value, -limits::farthest, limits::farthest, "");
     const Ground ground(car, slot, options.driving);
     Pose start = slot.to_slot(pose);
     start.heading = std::remainder(start.heading, full_turn);
@@ -108,7 +109,7 @@ Answer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOpt
     std::vector<Move> at_hand;
     const Watch watch = watch_of(options, bounds);
     try {
-        at_hand = moves_at_hand(question, watch);
+        at_hand = moves_at_hand(question, watch_of(options, bounds, limits_at_hand));
         narrow(question, sensible_depth(question, watch), bounds, watch);
         make_drivable(question, bounds, options.roomiest, watch);
     } catch (const GivenUp&) {  // the bounds are what is known

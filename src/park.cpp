@@ -14,6 +14,7 @@
 #include "contact/place_contact.hpp"
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 
@@ -22,16 +23,15 @@ namespace {
 using namespace detail::sets;
 
 constexpr double half_turn = 3.141592653589793;
-constexpr double most_changes = 1000.0;
 constexpr double usual_part = 1.0 / 800;    ///< of the car's length: the usual resolution
 constexpr double coarsest_part = 1.0 / 50;  ///< and no lattice is coarser
 constexpr double most_cells = 2e7;          ///< of the coarsest lattice
 constexpr double touch = 1e-9;              ///< deeper is contact [m]
 
 void check(const ParkOptions& options) {
-    check_between("maximum of direction changes", options.max_changes, 0.0, most_changes, "");
-    check_between("clearance", options.clearance, 0.0, 1e6, " m");
-    check_between("resolution", options.resolution, 0.0, 1e6, " m");
+    check_between("maximum of direction changes", options.max_changes, 0.0, limits::most_changes_fewest, "");
+    check_between("clearance", options.clearance, 0.0, limits::longest, " m");
+    check_between("resolution", options.resolution, 0.0, limits::longest, " m");
     check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
 }
 
@@ -127,9 +127,9 @@ void check_goal(const Car& car, const Place& place, const Pose& start, double h)
 
 ParkAnswer park(const Car& car, const Place& place, const Pose& start, const ParkOptions& options) {
     check(options);
-    check_between("start x", start.x, -1e9, 1e9, " m");
-    check_between("start y", start.y, -1e9, 1e9, " m");
-    check_between("start heading", start.heading, -1e9, 1e9, " rad");
+    check_between("start x", start.x, -limits::farthest, limits::farthest, " m");
+    check_between("start y", start.y, -limits::farthest, limits::farthest, " m");
+    check_between("start heading", start.heading, -limits::farthest, limits::farthest, " rad");
     Chart chart;
     ParkQuestion question;
     question.place = chart_place(car, place, start, options.clearance, chart);

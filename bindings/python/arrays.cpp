@@ -110,9 +110,7 @@ std::vector<Numbers> broadcast(const std::vector<std::pair<std::string, Numbers>
     }
 }
 
-std::vector<Slot> slots_of(const Numbers& lengths, const Numbers& widths, const Arguments& given) {
-    SlotDimensions slot;
-    given.read_neighbours(slot);
+std::vector<Slot> slots_of(const Numbers& lengths, const Numbers& widths, SlotDimensions slot = {}) {
     std::vector<Slot> slots;
     slots.reserve(static_cast<std::size_t>(lengths.size()));
     for (py::ssize_t i = 0; i < lengths.size(); ++i) {
@@ -144,7 +142,9 @@ py::object entries(const Arguments& given) {
     const auto baseline = given.baseline();
     SweepOptions sweep = sweep_options(given);
     Progress progress(given.callback("progress"));
-    const std::vector<Slot> slots = slots_of(sizes[0], sizes[1], given);
+    SlotDimensions beside;
+    given.read_neighbours(beside);
+    const std::vector<Slot> slots = slots_of(sizes[0], sizes[1], beside);
     const auto rows =
         interruptible(progress, sweep, [&] { return snug::entries(car, slots, options, sweep, baseline); });
     if (rows.size() < slots.size()) return py::none();
@@ -186,7 +186,7 @@ py::object counts_from(const Arguments& given) {
         const auto together = broadcast({{"lengths", lengths}, {"widths", widths}, {"headings", headings}});
         headings = together[2];
         const std::vector<double> all = values_of(headings);
-        const std::vector<Slot> slots = slots_of(together[0], together[1], given);
+        const std::vector<Slot> slots = slots_of(together[0], together[1]);
         counts = interruptible(progress, sweep, [&] { return direction_changes(car, slots, all, options, sweep); });
     }
     if (counts.size() < static_cast<std::size_t>(headings.size())) return py::none();

@@ -8,12 +8,12 @@
 
 #include "contact/entering.hpp"
 #include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::detail {
 
 namespace {
 
-constexpr double most_changes = 1000.0;
 constexpr double usual_part = 1e-4;  ///< of the car's length: the usual resolution
 constexpr double coarsest_part = 1.0 / 128;
 constexpr double least_in_radius = 64.0;   ///< spacings in a turning radius (see steepest_sine)
@@ -222,19 +222,20 @@ void make_drivable(const LeavingQuestion& question, LeavingBounds& bounds, bool 
 }
 
 void check(const FewestOptions& options) {
-    check_between("maximum of direction changes", options.max_changes, 0.0, most_changes, "");
+    check_between("maximum of direction changes", options.max_changes, 0.0, limits::most_changes_fewest, "");
     check(options.driving);
     check(options.parked);
-    check_between("resolution", options.resolution, 0.0, 1e6, " m");
+    check_between("resolution", options.resolution, 0.0, limits::longest, " m");
     check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
 }
 
-Watch watch_of(const FewestOptions& options, const LeavingBounds& bounds) {
+Watch watch_of(const FewestOptions& options, const LeavingBounds& bounds, double times) {
     using Clock = std::chrono::steady_clock;
-    return [&options, &bounds, begin = Clock::now()] {
+    return [&options, &bounds, times, begin = Clock::now()] {
         const double part = std::chrono::duration<double>(Clock::now() - begin).count() / options.time_limit;
-        if (part > 1.0) throw GivenUp{};
-        if (options.progress && !options.progress({bounds.lower, bounds.upper, bounds.spacing, part})) throw GivenUp{};
+        if (part > times) throw GivenUp{};
+        if (options.progress && !options.progress({bounds.lower, bounds.upper, bounds.spacing, std::min(part, 1.0)}))
+            throw GivenUp{};
     };
 }
 

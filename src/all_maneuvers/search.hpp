@@ -63,7 +63,9 @@ Answer impossible(int max_changes);
 /// The bounds as an answer; `from_entry` when the moves are to be driven in.
 Answer answer_of(const LeavingQuestion& question, LeavingBounds bounds, const Car& car, const Slot& slot,
                  bool driven_in);
-/// Looks at the clock and tells the callback; both must outlive it.
-Watch watch_of(const FewestOptions& options, const LeavingBounds& bounds);
+/// Looks at the clock, whether so many times the limit are gone, and tells the callback; both must outlive it.
+Watch watch_of(const FewestOptions& options, const LeavingBounds& bounds, double times = 1.0);
+/// For moves_at_hand(): an answer, if late, is better than none.
+inline constexpr double limits_at_hand = 2.0;
 
 }  // namespace snug::detail

@@ -8,6 +8,7 @@
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
 #include "snug/contact.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 
@@ -62,7 +63,7 @@ PlaceGap gap(const Outline& outline, const std::vector<Point>& car, const std::v
 }  // namespace
 
 std::vector<PlaceGap> gaps(const Car& car, const Place& place, const Pose& pose, double clearance) {
-    check_between("clearance", clearance, 0.0, 1e6, " m");
+    check_between("clearance", clearance, 0.0, limits::longest, " m");
     std::vector<PlaceGap> all(place.obstacles().size());
     for (PlaceGap& of : all) of.distance = std::numeric_limits<double>::infinity();
     for (const Place::Piece& piece : place.pieces()) {

@@ -11,14 +11,15 @@
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
 #include "sentences/spelling.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-constexpr double shortest = 1e-6;  // [m]
-constexpr double longest = 1e6;    // [m]
+using limits::longest;
+using limits::shortest;
 constexpr double least_steer_deg = 0.1;
 constexpr double most_steer_deg = 89.9;
 

@@ -8,11 +8,12 @@
 
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 namespace {
 
-constexpr double quarter_turn = std::numbers::pi / 2.0;
+using limits::quarter_turn;
 
 /// sin(u) / u: a chord's length over its arc's, u being half the turn.
 double chord_over_arc(double u) { return u == 0.0 ? 1.0 : angles::sin(u) / u; }
@@ -141,7 +142,7 @@ double Maneuver::length() const {
 }
 
 std::vector<Pose> Maneuver::poses(double spacing) const {
-    check_between("spacing of poses", spacing, 1e-9, std::numeric_limits<double>::infinity(), " m");
+    check_between("spacing of poses", spacing, limits::finest, std::numeric_limits<double>::infinity(), " m");
     std::vector<Pose> along;
     for (const Move& move : moves) {
         if (along.empty()) {

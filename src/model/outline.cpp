@@ -9,15 +9,15 @@
 
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 namespace {
 
 constexpr std::size_t most_corners = 256;
-constexpr double farthest = 1e6;    // [m]
 constexpr double on_a_line = 1e-9;  // of the outline's size
 constexpr int corners_of_an_arc = 6;
-constexpr double quarter_turn = 1.57079632679489661923;
+using limits::quarter_turn;
 
 /// Twice the area of the triangle, positive where a, b, c turn left.
 double turn(const Point& a, const Point& b, const Point& c) {
@@ -34,8 +34,8 @@ void check_numbers(const std::vector<Point>& corners) {
                     std::to_string(most_corners));
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const std::string name = "outline corner [" + std::to_string(i) + "] ";
-        check_between(name + "x", corners[i].x, -farthest, farthest, " m");
-        check_between(name + "y", corners[i].y, -farthest, farthest, " m");
+        check_between(name + "x", corners[i].x, -limits::longest, limits::longest, " m");
+        check_between(name + "y", corners[i].y, -limits::longest, limits::longest, " m");
     }
 }
 
@@ -110,7 +110,7 @@ std::vector<Point> checked(std::vector<Point> corners) {
 }  // namespace
 
 Outline::Outline(std::vector<Point> corners, Checked) : corners_(std::move(corners)) {
-    front_ = rear_ = left_ = right_ = -farthest;
+    front_ = rear_ = left_ = right_ = -limits::longest;
     for (const Point& corner : corners_) {
         front_ = std::max(front_, corner.x);
         rear_ = std::max(rear_, -corner.x);

@@ -9,13 +9,14 @@
 #include "model/angles.hpp"
 #include "model/polygon.hpp"
 #include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 namespace {
 
-constexpr double farthest = 1e9;  // [m]
+using limits::farthest;
+using limits::quarter_turn;
 constexpr std::size_t most_corners = 10000;
-constexpr double quarter_turn = 1.5707963267948966;
 constexpr double endless = 200.0;  ///< how far the street's edges go on beyond the region [m]
 
 /// Counter-clockwise and without idle corners. Throws Error unless the corners make a polygon.
@@ -50,7 +51,8 @@ Place::Place(PlaceDescription description) : description_(std::move(description)
                     spelled(static_cast<double>(most_corners)) + " are allowed");
     for (std::size_t i = 0; i < description_.obstacles.size(); ++i) {
         const PlaceObstacle& obstacle = description_.obstacles[i];
-        if (obstacle.clearance) check_between("clearance of an obstacle", *obstacle.clearance, 0.0, 1e6, " m");
+        if (obstacle.clearance)
+            check_between("clearance of an obstacle", *obstacle.clearance, 0.0, limits::longest, " m");
         const std::string what =
             "obstacle [" + std::to_string(i) + "]" + (obstacle.name.empty() ? "" : " (" + obstacle.name + ")");
         for (std::vector<Point>& piece : detail::convex_pieces(checked_polygon(obstacle.corners, what)))
@@ -88,17 +90,17 @@ namespace {
 /// The street as if on the right, along x, with the corner at the origin; and the way into the world.
 struct StreetFrame {
     explicit StreetFrame(const Street& asked) : street(asked) {
-        check_between("slot length", street.length, 1e-6, 1e6, " m");
-        check_between("slot width", street.width, 1e-6, 1e6, " m");
+        check_between("slot length", street.length, limits::shortest, limits::longest, " m");
+        check_between("slot width", street.width, limits::shortest, limits::longest, " m");
         check_between("angle", street.angle, 0.0, quarter_turn, " rad");
-        if (street.road) check_between("road", *street.road, 1e-6, 1e6, " m");
+        if (street.road) check_between("road", *street.road, limits::shortest, limits::longest, " m");
         check_between("stretch", street.stretch, 0.0, 1e4, " m");
         check_between("slot corner x", street.corner.x, -farthest, farthest, " m");
         check_between("slot corner y", street.corner.y, -farthest, farthest, " m");
         check_between("slot heading", street.heading, -farthest, farthest, " rad");
         check_between("front setback", street.front_setback, 0.0, street.width, " m");
         check_between("rear setback", street.rear_setback, 0.0, street.width, " m");
-        if (street.curb_clearance) check_between("curb clearance", *street.curb_clearance, 0.0, 1e6, " m");
+        if (street.curb_clearance) check_between("curb clearance", *street.curb_clearance, 0.0, limits::longest, " m");
         check(street.parked);
         parked = street.enter == Enter::backward ? street.angle : -street.angle;
         const auto [sine, cosine] = angles::sine_cosine(parked);

@@ -7,6 +7,7 @@
 
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 namespace {
@@ -16,7 +17,7 @@ constexpr double most_waypoints = 1e6;
 double pieces(const Move& move, double spacing) { return std::max(1.0, std::ceil(move.length / spacing)); }
 
 void check_spacing(const Maneuver& maneuver, double spacing) {
-    check_between("spacing of waypoints", spacing, 1e-9, std::numeric_limits<double>::infinity(), " m");
+    check_between("spacing of waypoints", spacing, limits::finest, std::numeric_limits<double>::infinity(), " m");
     double count = 0.0;
     for (const Move& move : maneuver.moves) count += pieces(move, spacing) + 1.0;
     if (count > most_waypoints)
