@@ -156,7 +156,7 @@ void add_missing(const Connection& connection, const AtlasPlan& plan) {
 }
 
 /// How many cells a batch has: enough that handing it out costs nothing beside solving it.
-std::size_t batch_size(const AtlasOptions& options) { return options.strategy == AtlasStrategy::fewest ? 1 : 32; }
+std::size_t batch_size(const AtlasOptions& options) { return options.strategy == Strategy::fewest ? 1 : 32; }
 
 }  // namespace
 

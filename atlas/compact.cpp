@@ -93,7 +93,7 @@ std::string front_part(const AtlasPlan& plan, std::uint64_t cells, std::string_v
     head.widths = static_cast<std::uint32_t>(plan.widths.size());
     head.lengths = static_cast<std::uint32_t>(plan.lengths.size());
     head.cells_per_block = cells_per_block(cells);
-    head.strategy = plan.options.strategy == AtlasStrategy::max_steer ? 0 : 1;
+    head.strategy = plan.options.strategy == Strategy::max_steer ? 0 : 1;
     head.max_changes = plan.options.max_changes.value_or(-1);
     head.enter = plan.options.driving.enter == Enter::backward ? 0 : 1;
     head.resolution = plan.options.resolution;

@@ -234,7 +234,7 @@ void Atlas::open(const std::string& name) {
             throw impossible("has a car without its outline");
         if (i > 0 && car_name(i) <= car_name(i - 1)) throw impossible("its cars are not in order");
     }
-    options_.strategy = head.strategy == 0 ? AtlasStrategy::max_steer : AtlasStrategy::fewest;
+    options_.strategy = head.strategy == 0 ? Strategy::max_steer : Strategy::fewest;
     if (head.max_changes >= 0) options_.max_changes = head.max_changes;
     options_.resolution = head.resolution;
     options_.min_range = head.min_range;
@@ -360,7 +360,7 @@ AtlasAnswer Atlas::look_up(std::size_t car, double length, double width) const n
     answer.cell = *below;
     const bool exact = widths->below == widths->above && lengths->below == lengths->above;
     bool bound_damaged = false;
-    if (options_.strategy == AtlasStrategy::fewest) {
+    if (options_.strategy == Strategy::fewest) {
         // A larger slot holds the maneuvers of a smaller one. Full steering knows no such order.
         const std::optional<AtlasCell> above = exact ? below : cell(car, widths->above, lengths->above);
         if (above) answer.lower_bound = above->lower_bound();
@@ -368,7 +368,7 @@ AtlasAnswer Atlas::look_up(std::size_t car, double length, double width) const n
     }
     if (below->moves() > 0) return say(AtlasVerdict::parks);
     if (bound_damaged) return say(AtlasVerdict::damaged);
-    const bool nothing_parks = options_.strategy == AtlasStrategy::fewest
+    const bool nothing_parks = options_.strategy == Strategy::fewest
                                    ? answer.lower_bound > options_.max_changes.value_or(limits::usual_changes)
                                    : exact && !below->direction_changes();
     return say(nothing_parks ? AtlasVerdict::cannot_park : AtlasVerdict::undecided);

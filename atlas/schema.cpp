@@ -68,10 +68,6 @@ std::vector<double> read_sizes(const Connection& connection, const char* questio
 
 }  // namespace
 
-std::string_view to_string(AtlasStrategy strategy) {
-    return strategy == AtlasStrategy::max_steer ? "max-steer" : "fewest";
-}
-
 void create_tables(Connection& connection, const AtlasOptions& options) {
     connection.run("PRAGMA application_id = " + std::to_string(application) +
                    "; PRAGMA user_version = " + std::to_string(schema_version) + ';');
@@ -123,8 +119,7 @@ StoredPlan read_plan(const Connection& connection, const std::string& path) try 
     while (provenance.row()) {
         const std::string key = provenance.text(0);
         if (key == "snug") stored.made_by = provenance.text(1);
-        if (key == "strategy" && provenance.text(1) == to_string(AtlasStrategy::fewest))
-            options.strategy = AtlasStrategy::fewest;
+        if (key == "strategy" && provenance.text(1) == to_string(Strategy::fewest)) options.strategy = Strategy::fewest;
         if (key == "max_changes" && !provenance.is_null(1)) options.max_changes = provenance.small(1);
         if (key == "min_range") options.min_range = provenance.real(1);
         if (key == "resolution") options.resolution = provenance.real(1);

@@ -27,9 +27,6 @@ bool is_empty(const Connection& connection);
 /// Throws Error when what is written there cannot be.
 StoredPlan read_plan(const Connection& connection, const std::string& path);
 
-/// "max-steer", "fewest"
-std::string_view to_string(AtlasStrategy strategy);
-
 std::uint64_t count_cells(const AtlasPlan& plan);
 
 }  // namespace snug

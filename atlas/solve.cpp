@@ -74,8 +74,8 @@ std::optional<CellAnswer> solve_fewest(const Car& car, const Slot& slot, const A
 std::optional<CellAnswer> solve(const Car& car, double width, double length, const AtlasOptions& options,
                                 const std::function<bool()>& go_on) {
     const Slot slot({.length = length, .width = width});
-    return options.strategy == AtlasStrategy::fewest ? solve_fewest(car, slot, options, go_on)
-                                                     : solve_max_steer(car, slot, options, go_on);
+    return options.strategy == Strategy::fewest ? solve_fewest(car, slot, options, go_on)
+                                                : solve_max_steer(car, slot, options, go_on);
 }
 
 void solve_all(const AtlasPlan& plan, const CellQueue& queue, int threads, const std::function<bool()>& go_on) {

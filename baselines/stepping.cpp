@@ -27,9 +27,8 @@
 #include "baselines/plain.hpp"
 #include "baselines/stepping_entry.hpp"
 #include "contact/entering.hpp"
-#include "full_steering/widest_range.hpp"
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug {
 namespace {
@@ -369,6 +368,8 @@ MaxSteerRun stepping(const Car& car, const Slot& slot, double heading, const Ste
     }
     return run;
 }
+
+std::string_view to_string(StopRule stop) { return stop == StopRule::inside ? "inside" : "contact"; }
 
 Answer stepping_entry(const Car& car, const Slot& slot, const EntryOptions& options, const Stepping& steps) {
     check_steps(car, steps);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "snug/entry.hpp"
+#include "snug/stepping.hpp"
 
 namespace snug {
 
-/// entry() for the strategy Stepping. The ranges are runs of neighbouring sampled headings with the same count, their
-/// edges are samples. `options.strategy` is not looked at; throws Error when `steps` are impossible.
+/// entry() for Stepping, in a slot that holds the car. Throws Error when `steps` are impossible.
 Answer stepping_entry(const Car& car, const Slot& slot, const EntryOptions& options, const Stepping& steps);
 
 }  // namespace snug

@@ -9,11 +9,11 @@
 
 #include "baselines/plain.hpp"
 #include "contact/entering.hpp"
-#include "full_steering/heading_ranges.hpp"
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 #include "snug/contact.hpp"
 #include "snug/entry.hpp"
+#include "snug/entry_position.hpp"
 
 namespace snug {
 
@@ -30,7 +30,6 @@ constexpr double touching = 1e-9;     ///< of the car's length: a goal may stick
 struct Ground {
     Car car;
     Slot slot;
-    Problem problem;
     double clearance;
     double radius;  ///< of the rear axle centre's circle [m]
     double front;   ///< of the grown frame [m]
@@ -39,7 +38,6 @@ struct Ground {
     Ground(const Car& asked, const Slot& asked_slot, const MaxSteerOptions& options)
         : car(asked),
           slot({.length = asked_slot.length(), .width = asked_slot.width()}),
-          problem(entering_problem(asked, asked_slot, options.driving)),
           clearance(options.driving.clearance),
           radius(asked.turning_radius()) {
         CarDimensions dimensions = asked.dimensions();
@@ -147,7 +145,7 @@ Pose below_entry_side(const Ground& ground, Pose goal) {
 }
 
 bool fits(const Car& car, const Slot& slot, double clearance) {
-    const Shortfall lacks = shortfall(car, slot, clearance);
+    const Shortfall lacks = shortfall(car, slot, {.clearance = clearance});
     return lacks.length <= 0.0 && lacks.width <= 0.0;
 }
 
@@ -255,7 +253,7 @@ Move first_trial(const Ground& ground, double goal_y) {
         return Pose{-ground.front * c - ground.side * s, -ground.front * s + ground.side * c, heading};
     };
     // Steeper entries take every heading further back and deeper, so all that are shallower than a free one are free.
-    const std::vector<Headings> possible = possible_headings(ground.problem);
+    const std::vector<Headings> possible = possible_headings(ground.car, ground.slot, {.clearance = ground.clearance});
     const double steepest = possible.empty() || possible.front().min > 0.0 ? 0.0 : possible.front().max;
     const double heading = last_that_works(0.0, steepest, [&](double at) {
         const bool too_deep = -ground.front * angles::sin(at) + across * angles::cos(at) - ground.radius < goal_y;

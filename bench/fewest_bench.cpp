@@ -91,10 +91,10 @@ void shortest_slots(benchmark::State& state) {
     const Car car = find_car("renault-zoe").value();
     std::vector<double> widths;
     for (int i = 1; i <= 30; ++i) widths.push_back(car.width() + 0.02 * i);
-    FewestLengthOptions options;
+    MinSlotOptions options;
+    options.strategy = Strategy::fewest;
     options.resolution = 2e-3;
-    for (auto _ : state)
-        benchmark::DoNotOptimize(min_lengths_fewest(car, widths, {0, 1, 2, 3, 4, 5, 6, 8, 10, 20}, options));
+    for (auto _ : state) benchmark::DoNotOptimize(min_slots(car, widths, {0, 1, 2, 3, 4, 5, 6, 8, 10, 20}, options));
 }
 
 /// What the outline and a neighbour set back change: the table of docs/fewest.md, with its bounds as counters.

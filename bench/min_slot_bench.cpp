@@ -21,7 +21,7 @@ void figure(benchmark::State& state, int threads) {
     const Car car = find_car("renault-zoe").value();
     SweepOptions sweep;
     sweep.threads = threads;
-    for (auto _ : state) benchmark::DoNotOptimize(min_lengths(car, widths(car, 1, 60, 1), counts, {}, sweep));
+    for (auto _ : state) benchmark::DoNotOptimize(min_slots(car, widths(car, 1, 60, 1), counts, {}, sweep));
 }
 BENCHMARK_CAPTURE(figure, one, 1)
     ->Name("min-slot/max-steer/renault-zoe-60-widths-1-thread")
@@ -35,7 +35,7 @@ BENCHMARK_CAPTURE(figure, two, 2)
 /// One width, for the paper's loop needs minutes for them all.
 void one_width(benchmark::State& state) {
     const Car car = find_car("renault-zoe").value();
-    for (auto _ : state) benchmark::DoNotOptimize(min_lengths(car, widths(car, 30, 30, 1), counts));
+    for (auto _ : state) benchmark::DoNotOptimize(min_slots(car, widths(car, 30, 30, 1), counts));
 }
 BENCHMARK(one_width)->Name("min-slot/max-steer/renault-zoe-one-width")->Unit(benchmark::kMillisecond);
 
@@ -43,7 +43,7 @@ void one_width_by_stepping(benchmark::State& state) {
     const Car car = find_car("renault-zoe").value();
     const double length_step = 0.01;
     for (auto _ : state)
-        benchmark::DoNotOptimize(min_lengths_by_stepping(car, widths(car, 30, 30, 1), counts, Stepping{}, length_step));
+        benchmark::DoNotOptimize(min_slots_by_stepping(car, widths(car, 30, 30, 1), counts, Stepping{}, length_step));
 }
 BENCHMARK(one_width_by_stepping)->Name("min-slot/stepping-1mm/renault-zoe-one-width")->Unit(benchmark::kMillisecond);
 

@@ -38,20 +38,19 @@ std::vector<Case> cases() {
 
 struct NamedStrategy {
     std::string name;
-    Strategy strategy;
+    std::optional<Stepping> steps;  ///< of Algorithm 1; none: the solver
 };
 
 const std::vector<NamedStrategy> strategies = {
-    {"max-steer", MaxSteer{}}, {"stepping-1mm", Stepping{.step = 1e-3}}, {"stepping-0.1mm", Stepping{.step = 1e-4}}};
+    {"max-steer", {}}, {"stepping-1mm", Stepping{.step = 1e-3}}, {"stepping-0.1mm", Stepping{.step = 1e-4}}};
 
 /// Problem 1: all ranges and the best maneuver. Stepping samples headings 1e-4 rad apart.
-void entry_of(benchmark::State& state, const Case& c, const Strategy& strategy, bool prove = false) {
+void entry_of(benchmark::State& state, const Case& c, const std::optional<Stepping>& steps, bool prove = false) {
     EntryOptions options;
-    options.strategy = strategy;
     options.prove = prove;
     Answer answer;
     for (auto _ : state) {
-        answer = entry(c.car, c.slot, options);
+        answer = steps ? entry(c.car, c.slot, options, *steps) : entry(c.car, c.slot, options);
         benchmark::DoNotOptimize(answer);
     }
     state.counters["changes"] = answer.direction_changes.value_or(-1);
@@ -97,9 +96,9 @@ void add(const std::string& question, const std::string& strategy, const Case& c
 void add_all() {
     for (const Case& c : cases()) {
         for (const NamedStrategy& s : strategies) {
-            add("entry", s.name, c, [c, s](benchmark::State& state) { entry_of(state, c, s.strategy); });
+            add("entry", s.name, c, [c, s](benchmark::State& state) { entry_of(state, c, s.steps); });
         }
-        add("entry", "proved", c, [c](benchmark::State& state) { entry_of(state, c, MaxSteer{}, true); });
+        add("entry", "proved", c, [c](benchmark::State& state) { entry_of(state, c, {}, true); });
         add("run", "max-steer", c, [c](benchmark::State& state) { run_exactly(state, c); });
         add("run", "stepping-1mm", c, [c](benchmark::State& state) { run_stepping(state, c, {.step = 1e-3}); });
         add("move", "exact", c, [c](benchmark::State& state) { move_of(state, c); });

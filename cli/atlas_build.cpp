@@ -50,10 +50,10 @@ struct Asked {
               "Widths of slots [m]: from:to:step, both ends among them,\nor a list such as 1.8,2,2.5.", size)),
           lengths(options.numbers("--length", "RANGE", "Lengths of slots [m], likewise.", size)),
           strategy(options.group("Question")
-                       .choice<AtlasStrategy>(
+                       .choice<Strategy>(
                            "--strategy", "NAME",
                            "max-steer (default): full steering until contact;\nfewest: over all maneuvers, with proof.",
-                           {{"max-steer", AtlasStrategy::max_steer}, {"fewest", AtlasStrategy::fewest}})),
+                           {{"max-steer", Strategy::max_steer}, {"fewest", Strategy::fewest}})),
           max_changes(options.whole_number(
               "--max-changes", "N",
               "All headings with at most that many direction\nchanges, instead of the fewest up to 200.", 0,
@@ -70,7 +70,7 @@ struct Asked {
     Option<std::string> cars;
     Option<std::vector<double>> widths;
     Option<std::vector<double>> lengths;
-    Option<AtlasStrategy> strategy;
+    Option<Strategy> strategy;
     Option<int> max_changes;
     Option<double> min_range;
     Option<double> resolution;
@@ -104,8 +104,8 @@ std::vector<double> sizes(const Option<std::vector<double>>& option) {
 
 AtlasOptions atlas_options(const Asked& asked) {
     AtlasOptions atlas;
-    atlas.strategy = asked.strategy.value_or(AtlasStrategy::max_steer);
-    const bool fewest = atlas.strategy == AtlasStrategy::fewest;
+    atlas.strategy = asked.strategy.value_or(Strategy::max_steer);
+    const bool fewest = atlas.strategy == Strategy::fewest;
     if (asked.max_changes) {
         if (fewest) check_between(asked.max_changes.name(), *asked.max_changes, 0.0, limits::most_changes_fewest, "");
         atlas.max_changes = *asked.max_changes;

@@ -183,7 +183,7 @@ std::string text(const Question& question, const AtlasAnswer& found) {
                fixed(question.slot.width(), 3) + " m slot: the atlas does not know.\n" + "In the stored slot of " +
                size(found.cell.length()) + " x " + size(found.cell.width()) + " it does not park with up to " +
                changes(options.max_changes.value_or(200)) + ".\n";
-    const std::string answer = options.strategy == AtlasStrategy::fewest
+    const std::string answer = options.strategy == Strategy::fewest
                                    ? fewest_text(asked, options.max_changes.value_or(200), as_fewest(found, question))
                                    : entry_text(asked, as_entry(found, question));
     return answer + '\n' + used(question, found.cell);
@@ -191,8 +191,7 @@ std::string text(const Question& question, const AtlasAnswer& found) {
 
 std::string json(const Question& question, const AtlasAnswer& found) {
     const AtlasOptions& options = question.asked.atlas->options();
-    const Answer answer =
-        options.strategy == AtlasStrategy::fewest ? as_fewest(found, question) : as_entry(found, question);
+    const Answer answer = options.strategy == Strategy::fewest ? as_fewest(found, question) : as_entry(found, question);
     return atlas_json({question.car, question.slot, entry_options(options)}, options.strategy, answer, found.cell);
 }
 

@@ -16,6 +16,7 @@ const Subcommands subcommands = {
     {
         {"entry", "From where to enter a slot, and what to do move by move.", parse_entry},
         {"min-slot", "How small a slot may be, for so many direction changes.", parse_min_slot},
+        {"park", "From where the car stands into any slot, and what to do.", parse_park},
         {"leave", "How a parked car gets out with the fewest direction changes.", parse_leave},
         {"atlas", "Answers for many cars and slots, computed beforehand.", parse_atlas},
         {"cars", "The cars snug knows, and what a car file says.", parse_cars},

@@ -24,6 +24,7 @@ Action parse(const Arguments& arguments);
 // One per subcommand, for the arguments after its name.
 Action parse_entry(const Arguments& arguments);
 Action parse_min_slot(const Arguments& arguments);
+Action parse_park(const Arguments& arguments);
 Action parse_leave(const Arguments& arguments);
 Action parse_atlas(const Arguments& arguments);
 Action parse_cars(const Arguments& arguments);

@@ -102,8 +102,8 @@ struct Asked {
 
 bool from_a_goal(Planner planner) { return planner == Planner::reversed_trials || planner == Planner::parallel_trials; }
 
-/// What a strategy's options mean, each given only with its strategy.
-Strategy strategy(const Asked& asked, Planner planner) {
+/// The baseline asked for, if one is; each option is given only with its strategy.
+std::optional<Baseline> baseline(const Asked& asked, Planner planner) {
     const Stepping stepping = asked.stepping.stepping(planner == Planner::stepping);
     belongs_to(asked.resolution, planner == Planner::fewest, "fewest");
     belongs_to(asked.time_limit, planner == Planner::fewest, "fewest");
@@ -116,7 +116,7 @@ Strategy strategy(const Asked& asked, Planner planner) {
         case Planner::max_steer:
         case Planner::fewest: break;
     }
-    return MaxSteer{};
+    return std::nullopt;
 }
 
 EntryQuestion question(const Asked& asked, Planner planner) {
@@ -129,13 +129,12 @@ EntryQuestion question(const Asked& asked, Planner planner) {
     options.min_range = asked.min_range.value_or(0.0);
     options.driving = asked.driving.driving(asked.neighbours);
     options.parked = asked.parked.parked();
-    options.strategy = strategy(asked, planner);
     if (asked.min_range && (from_a_goal(planner) || planner == Planner::fewest))
         throw Error(asked.min_range.name() + " asks for ranges of headings, but " +
                     (planner == Planner::fewest ? "fewest has" : "trials have") +
                     " none; leave it out or change --strategy");
     if (planner == Planner::stepping) options.progress = show_progress();
-    return {car, Slot(slot), options};
+    return {car, Slot(slot), options, baseline(asked, planner)};
 }
 
 std::string drawn(const PictureFile& picture, View view, const EntryQuestion& question, const Answer& answer) {
@@ -216,7 +215,8 @@ Action parse_entry(const Arguments& arguments) {
     const EntryQuestion whole = question(asked, planner);
     if (planner == Planner::fewest) return fewest_action(asked, whole);
     return [whole, format = asked.output.format(), files = Files(asked)] {
-        const Answer answer = entry(whole.car, whole.slot, whole.options);
+        const Answer answer = whole.baseline ? entry(whole.car, whole.slot, whole.options, *whole.baseline)
+                                             : entry(whole.car, whole.slot, whole.options);
         if (whole.options.progress) wipe_progress();
         files.write(whole, answer, written(format, whole, answer));
         return answer.cancelled ? undecided : answer.parkable() ? solved : cannot_park;

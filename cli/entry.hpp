@@ -1,10 +1,14 @@
 // What `snug entry` is asked, and how its answer reads.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
+#include "snug/baselines.hpp"
 #include "snug/entry.hpp"
 #include "snug/fewest.hpp"
+#include "snug/strategy.hpp"
 
 namespace snug::cli {
 
@@ -12,7 +16,13 @@ struct EntryQuestion {
     Car car;
     Slot slot;
     EntryOptions options;
+    std::optional<Baseline> baseline = {};  ///< to answer instead of the solver
 };
+
+/// As --strategy names it.
+inline std::string_view strategy_name(const std::optional<Baseline>& baseline) {
+    return baseline ? to_string(*baseline) : to_string(Strategy::max_steer);
+}
 
 /// What a person needs: where to put the car, how exactly, and move by move what to do. At most 80 columns.
 std::string entry_text(const EntryQuestion& question, const Answer& answer);

@@ -15,8 +15,6 @@ constexpr std::size_t most_ranges = 20;
 
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string metres(double length) { return fixed(length, 3) + " m"; }
-
 /// Enough decimals to tell the ends of a range of headings apart. [rad] in, decimals of degrees out
 int decimals(double width) {
     return width > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(width / degree))), 3, 12) : 12;
@@ -84,8 +82,7 @@ std::string refusal(const EntryQuestion& question) {
               " deg wide\nparks with " + (options.max_changes == 0 ? "" : "up to ") +
               changes(options.max_changes.value_or(200));
     } else {
-        const bool trials = std::holds_alternative<ReversedTrials>(options.strategy) ||
-                            std::holds_alternative<ParallelTrials>(options.strategy);
+        const bool trials = question.baseline && !std::holds_alternative<Stepping>(*question.baseline);
         why = (trials ? "trials do not reach the goal with " : "no entry heading parks with ") +
               std::string(options.max_changes == 0 ? "" : "up to ") + changes(options.max_changes.value_or(200));
     }
@@ -131,15 +128,6 @@ std::string entry_position(const EntryQuestion& question, const Answer& answer) 
                                 " neighbour, " + metres(room.curb) + " to the curb"});
     rows.push_back({"road", "the car stands " + metres(room.road) + " out in the road"});
     return "\nWhere to enter\n" + table(rows, "ll");
-}
-
-std::string steering(const Car& car, double angle) {
-    if (angle == 0.0) {
-        return "straight";
-    }
-    const std::string side = angle > 0.0 ? "left" : "right";
-    const bool full = std::abs(angle) >= car.max_steer() * (1.0 - 1e-9);
-    return full ? "full " + side : side + " " + fixed(std::abs(angle) / degree, 1) + " deg";
 }
 
 std::string moves(const EntryQuestion& question, const Maneuver& maneuver, const std::string& at_last) {

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "cli/command.hpp"
@@ -114,12 +115,41 @@ NeighbourOptions::NeighbourOptions(Options& options)
       curb_clearance(
           options.number("--curb-clearance", "M", "Distance to keep from the curb [m] (as --clearance).", distance)) {}
 
+void NeighbourOptions::check_within(double width) const {
+    check_setback(front_setback, width);
+    check_setback(rear_setback, width);
+}
+
 void NeighbourOptions::describe(SlotDimensions& slot) const {
-    check_setback(front_setback, slot.width);
-    check_setback(rear_setback, slot.width);
+    check_within(slot.width);
     slot.front_setback = front_setback.value_or(0.0);
     slot.rear_setback = rear_setback.value_or(0.0);
     slot.curb = curb.value_or(Curb::high);
+}
+
+StreetOptions::StreetOptions(Options& options)
+    : angle(options.group("Street").number("--angle", "DEG",
+                                           "Between the parked car and the street [degrees]: 0\n(parallel, default) to "
+                                           "90 (perpendicular).",
+                                           {" degrees", 0.0, 90.0})),
+      road(options.number("--road", "M", "A wall along the street so far beyond the slot's edge\n[m] (none).", size)),
+      stretch(options.number("--stretch", "M", "How far ahead of and behind the slot the rear axle\nmay go [m] (10).",
+                             {" m", 0.0, 1e4})) {}
+
+Street StreetOptions::street(const SlotDimensions& slot) const {
+    Street street;
+    street.length = slot.length;
+    street.width = slot.width;
+    street.angle = std::min(angle.value_or(0.0) * degree, limits::quarter_turn);
+    if (road) street.road = *road;
+    street.stretch = stretch.value_or(street.stretch);
+    street.side = slot.side;
+    street.corner = slot.corner;
+    street.heading = slot.heading;
+    street.front_setback = slot.front_setback;
+    street.rear_setback = slot.rear_setback;
+    street.curb = slot.curb;
+    return street;
 }
 
 ParkedOptions::ParkedOptions(Options& options)
@@ -159,14 +189,15 @@ Driving DrivingOptions::driving(const NeighbourOptions& neighbours) const {
     return with_curb;
 }
 
-Option<double> resolution_option(Options& options, const std::string& finest_by_default) {
+Option<double> resolution_option(Options& options, const std::string& finest_by_default, const std::string& begins) {
     return options.number("--resolution", "M",
-                          "fewest: finest lattice [m] (a " + finest_by_default + " of the\ncar's length).",
+                          begins + " lattice [m] (" + (finest_by_default[0] == 'e' ? "an " : "a ") + finest_by_default +
+                              " of the\ncar's length).",
                           {" m", limits::finest, limits::longest});
 }
 
-Option<double> time_limit_option(Options& options) {
-    return options.number("--time-limit", "S", "fewest: end with the bounds found by then [s].", {" s", 0.0, 1e9});
+Option<double> time_limit_option(Options& options, const std::string& begins) {
+    return options.number("--time-limit", "S", begins + " with the bounds found by then [s].", {" s", 0.0, 1e9});
 }
 
 SteppingOptions::SteppingOptions(Options& options)

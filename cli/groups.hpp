@@ -9,6 +9,8 @@
 #include "snug/entry.hpp"
 #include "snug/error.hpp"
 #include "snug/fewest.hpp"
+#include "snug/place.hpp"
+#include "snug/stepping.hpp"
 
 namespace snug::cli {
 
@@ -29,6 +31,8 @@ struct NeighbourOptions {
     explicit NeighbourOptions(Options& options);
     /// Adds to a slot what stands beside it. Throws Error when a neighbour begins deeper than the slot.
     void describe(SlotDimensions& slot) const;
+    /// Throws Error when a neighbour begins deeper than a slot of that width.
+    void check_within(double width) const;
 
     Option<double> front_setback;
     Option<double> rear_setback;
@@ -47,6 +51,16 @@ struct SlotOptions {
     Option<Side> side;
     Option<Point> corner;
     Option<double> heading;
+};
+
+/// --angle, --road and --stretch: what makes a slot a bay at a street.
+struct StreetOptions {
+    explicit StreetOptions(Options& options);
+    [[nodiscard]] Street street(const SlotDimensions& slot) const;
+
+    Option<double> angle;  ///< in degrees
+    Option<double> road;
+    Option<double> stretch;
 };
 
 /// --parked-heading and --parked-curb.
@@ -81,8 +95,9 @@ void belongs_to(const Option<Value>& option, bool asked_for, const std::string& 
 }
 
 /// --resolution and --time-limit: what the search over all maneuvers is limited to.
-Option<double> resolution_option(Options& options, const std::string& finest_by_default);
-Option<double> time_limit_option(Options& options);
+Option<double> resolution_option(Options& options, const std::string& finest_by_default,
+                                 const std::string& begins = "fewest: finest");
+Option<double> time_limit_option(Options& options, const std::string& begins = "fewest: end");
 
 /// How small the steps of stepping are.
 struct SteppingOptions {

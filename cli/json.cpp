@@ -6,11 +6,6 @@
 namespace snug::cli {
 namespace {
 
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-
 Json fewest_object(const EntryQuestion& question, const Answer& answer) {
     const EntryOptions& options = question.options;
     return as_json(question.car, question.slot, options.max_changes, answer, options.driving, options.parked);
@@ -27,7 +22,7 @@ std::string cars_json(const std::vector<Car>& cars) {
 }
 
 std::string entry_json(const EntryQuestion& question, const Answer& answer) {
-    return write(as_json(question.car, question.slot, question.options, answer));
+    return write(as_json(question.car, question.slot, question.options, answer, strategy_name(question.baseline)));
 }
 
 std::string fewest_json(const EntryQuestion& question, const Answer& answer) {
@@ -38,10 +33,15 @@ std::string leave_json(const EntryQuestion& question, const Answer& answer) {
     return write(leave_as_json(question.car, question.slot, answer, question.options.driving));
 }
 
-std::string atlas_json(const EntryQuestion& question, AtlasStrategy strategy, const Answer& answer,
-                       const AtlasCell& cell) {
-    Json json = strategy == AtlasStrategy::fewest ? fewest_object(question, answer)
-                                                  : as_json(question.car, question.slot, question.options, answer);
+std::string park_json(const ParkQuestion& question, const ParkAnswer& answer) {
+    if (question.street)
+        return write(park_as_json(question.car, *question.street, question.scene.start, question.options, answer));
+    return write(park_as_json(question.car, question.scene, question.options, answer));
+}
+
+std::string atlas_json(const EntryQuestion& question, Strategy strategy, const Answer& answer, const AtlasCell& cell) {
+    Json json = strategy == Strategy::fewest ? fewest_object(question, answer)
+                                             : as_json(question.car, question.slot, question.options, answer);
     json["cell"] = {{"length", cell.length()},
                     {"width", cell.width()},
                     {"shorter", question.slot.length() - cell.length()},
@@ -52,31 +52,12 @@ std::string atlas_json(const EntryQuestion& question, AtlasStrategy strategy, co
 std::string waypoints_json(const std::vector<Waypoint>& waypoints) { return write(as_json(waypoints)); }
 
 std::string MinSlotJson::begin() {
-    return list_.begin({{"schema", 1}, {"car", as_json(question_.car)}, {"strategy", to_string(question_.strategy)}},
+    return list_.begin({{"schema", 1}, {"car", as_json(question_.car)}, {"strategy", strategy_name(question_)}},
                        "rows");
 }
 
-std::string MinSlotJson::row(const MinSlotRow& row) {
-    const bool width = question_.given == Given::width;
-    Json json = {{"max_changes", row.max_changes}, {"width", nullptr}, {"length", nullptr}, {"entry_heading", nullptr}};
-    json[width ? "width" : "length"] = row.given;
-    if (row.slot) {
-        json[width ? "length" : "width"] = width ? row.slot->length : row.slot->width;
-        json["entry_heading"] = row.slot->entry_heading;
-    }
-    return list_.item(json);
-}
+std::string MinSlotJson::row(const MinSlot& row) { return list_.item(as_json(row, question_.options)); }
 
 std::string MinSlotJson::end() { return list_.end(); }
-
-std::string min_slot_json(const Car& car, const std::vector<FewestLengthRow>& rows) {
-    Json json = {{"schema", 1}, {"car", as_json(car)}, {"strategy", "fewest"}, {"rows", Json::array()}};
-    for (const FewestLengthRow& row : rows)
-        json["rows"].push_back({{"max_changes", row.max_changes},
-                                {"width", row.width},
-                                {"length", or_null(row.found.length)},
-                                {"length_lower", row.found.length_lower}});
-    return write(json);
-}
 
 }  // namespace snug::cli

@@ -7,6 +7,7 @@
 
 #include "cli/entry.hpp"
 #include "cli/min_slot.hpp"
+#include "cli/park.hpp"
 #include "snug/atlas.hpp"
 #include "snug/io.hpp"
 #include "snug/leave.hpp"
@@ -20,9 +21,9 @@ std::string cars_json(const std::vector<Car>& cars);
 std::string entry_json(const EntryQuestion& question, const Answer& answer);
 std::string fewest_json(const EntryQuestion& question, const Answer& answer);
 std::string leave_json(const EntryQuestion& question, const Answer& answer);
+std::string park_json(const ParkQuestion& question, const ParkAnswer& answer);
 /// The answer of an atlas, with the stored cell that it comes from.
-std::string atlas_json(const EntryQuestion& question, AtlasStrategy strategy, const Answer& answer,
-                       const AtlasCell& cell);
+std::string atlas_json(const EntryQuestion& question, Strategy strategy, const Answer& answer, const AtlasCell& cell);
 std::string waypoints_json(const std::vector<Waypoint>& waypoints);
 
 /// Minimum slots, part by part, for there may be too many to hold.
@@ -31,15 +32,12 @@ public:
     explicit MinSlotJson(const MinSlotQuestion& question) : question_(question) {}
 
     std::string begin();
-    std::string row(const MinSlotRow& row);
+    std::string row(const MinSlot& row);
     std::string end();
 
 private:
     const MinSlotQuestion& question_;
     ListInParts list_;
 };
-
-/// The shortest slots over all maneuvers.
-std::string min_slot_json(const Car& car, const std::vector<FewestLengthRow>& rows);
 
 }  // namespace snug::cli

@@ -1,13 +1,11 @@
 // snug leave: with how few direction changes does a parked car get out, and how.
 #include "snug/leave.hpp"
 
-#include "cli/command.hpp"
 #include "cli/entry.hpp"
-#include "cli/groups.hpp"
 #include "cli/json.hpp"
 #include "cli/output.hpp"
+#include "cli/park.hpp"
 #include "cli/progress.hpp"
-#include "cli/waypoints.hpp"
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
 #include "snug/limits.hpp"
@@ -22,7 +20,12 @@ constexpr const char* purpose =
 constexpr const char* examples =
     "Lengths are in metres, angles in radians.\n\n"
     "Examples:\n"
-    "  snug leave --car renault-zoe --length 5 --width 2 --gap-front 0.3 --gap-curb 0.1\n\n"
+    "  snug leave --car mid-size --length 5 --width 2 --gap-front 0.3 --gap-curb 0.1\n"
+    "  snug leave --car renault-zoe --length 5 --width 2.5 --angle 90 --road 5 \\\n"
+    "      --from -1.25,-4,1.5708\n\n"
+    "On an open road the car is out when its corner is level with the slot's and the\n"
+    "way on is free; with --angle, --road or --stretch when all of it stands on the\n"
+    "road, along the street, as for snug park, whose reverse it is.\n\n"
     "Exit codes: 0 solved; 1 understood, and the car cannot leave; 2 bad input, with\n"
     "one line that says what is wrong; 3 undecided within the limits given.";
 
@@ -31,6 +34,7 @@ struct Asked {
     explicit Asked(Options& options)
         : car(options),
           slot(options),
+          street(options),
           neighbours(options),
           gap_front(options.group("Where it is parked")
                         .number("--gap-front", "M", "From its foremost point to the front neighbour [m].", gap)),
@@ -38,12 +42,14 @@ struct Asked {
           heading(options.number("--car-heading", "RAD",
                                  "Off parallel, positive with the nose away from the\ncurb [rad] (0).",
                                  {" rad", -1.2, 1.2})),
-          clearance(clearance_option(options.group("Driving"))),
+          from(options.declared<Pose>("--from", "X,Y,HEADING",
+                                      "Or where the rear axle's middle stands, in the\nworld [m, rad].", pose)),
+          driving(options),
           max_changes(options.group("Question")
                           .whole_number("--max-changes", "N", "At most that many direction changes (200).", 0,
                                         limits::most_changes_fewest)),
-          resolution(resolution_option(options, "ten-thousandth")),
-          time_limit(time_limit_option(options)),
+          resolution(resolution_option(options, "ten-thousandth", "Finest")),
+          time_limit(time_limit_option(options, "End")),
           output(options),
           draw(draw_option(options)),
           waypoints(options) {}
@@ -52,11 +58,13 @@ struct Asked {
 
     CarOptions car;
     SlotOptions slot;
+    StreetOptions street;
     NeighbourOptions neighbours;
     Option<double> gap_front;
     Option<double> gap_curb;
     Option<double> heading;
-    Option<double> clearance;
+    Option<Pose> from;
+    DrivingOptions driving;
     Option<int> max_changes;
     Option<double> resolution;
     Option<double> time_limit;
@@ -68,6 +76,38 @@ struct Asked {
 double needed(const Option<double>& gap) {
     if (!gap) throw Error(gap.name() + " is missing; give it in metres");
     return *gap;
+}
+
+/// Where it is parked, by the gaps or by its pose.
+Pose parked(const Asked& asked, const Car& car, const Slot& slot) {
+    if (asked.from) {
+        for (const Option<double>& gap : {asked.gap_front, asked.gap_curb, asked.heading})
+            if (gap)
+                throw Error(gap.name() + " and " + asked.from.name() +
+                            " exclude each other; give the gaps or the pose");
+        return *asked.from;
+    }
+    if (asked.street.angle && *asked.street.angle > 0.0)
+        throw Error(asked.from.name() + " is missing; at an angle give the pose of the parked car as X,Y,HEADING");
+    ParkedGaps gaps;
+    gaps.front = needed(asked.gap_front);
+    gaps.curb = needed(asked.gap_curb);
+    gaps.heading = asked.heading.value_or(0.0);
+    return parked_pose(car, slot, gaps);
+}
+
+/// Out of a bay in a street whose road and stretch are known.
+Action leave_street(const Asked& asked, const Car& car, const SlotDimensions& slot, const Pose& pose,
+                    const FewestOptions& limited, const ParkFiles& files) {
+    Street street = asked.street.street(slot);
+    street.enter = limited.driving.enter;
+    street.curb_clearance = limited.driving.curb_clearance;
+    ParkOptions options;
+    options.max_changes = limited.max_changes;
+    options.clearance = limited.driving.clearance;
+    options.resolution = limited.resolution;
+    options.time_limit = limited.time_limit;
+    return park_action({car, {road_place(street), pose}, street, options, true}, files);
 }
 
 }  // namespace
@@ -82,22 +122,19 @@ Action parse_leave(const Arguments& arguments) {
     EntryQuestion question = {car, Slot(slot), {}};
     FewestOptions limited;
     limited.max_changes = asked.max_changes.value_or(limited.max_changes);
-    limited.driving.clearance = asked.clearance.value_or(0.0);
-    if (asked.neighbours.curb_clearance) limited.driving.curb_clearance = *asked.neighbours.curb_clearance;
+    limited.driving = asked.driving.driving(asked.neighbours);
     limited.resolution = asked.resolution.value_or(0.0);
     limited.time_limit = asked.time_limit.value_or(limited.time_limit);
     limited.progress = show_bounds();
     question.options.driving = limited.driving;
-    ParkedGaps gaps;
-    gaps.front = needed(asked.gap_front);
-    gaps.curb = needed(asked.gap_curb);
-    gaps.heading = asked.heading.value_or(0.0);
+    const Pose pose = parked(asked, car, question.slot);
     const Format format = asked.output.format_without_csv("csv has rows of ranges, but leave has none");
     const std::optional<PictureFile> picture = picture_file(asked.draw, asked.output);
     const std::optional<WaypointsFile> route = waypoints_file(asked.waypoints, asked.draw, asked.output.file);
-    return [question, limited, gaps, format, picture, route, path = asked.output.path()] {
-        const Answer answer =
-            leave(question.car, question.slot, parked_pose(question.car, question.slot, gaps), limited);
+    if (asked.street.angle || asked.street.road || asked.street.stretch)
+        return leave_street(asked, car, slot, pose, limited, {format, picture, route, asked.output.path()});
+    return [question, limited, pose, format, picture, route, path = asked.output.path()] {
+        const Answer answer = leave(question.car, question.slot, pose, limited);
         if (limited.progress) wipe_progress();
         if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
         if (picture && answer.maneuver) {

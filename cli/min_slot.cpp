@@ -134,60 +134,60 @@ std::vector<int> counts(const Asked& asked) {
 }
 
 /// Between the slots that the paper's loop tries. [m]
-double loop_step(const Asked& asked, Planner planner, Given given) {
-    const Option<double>& used = given == Given::width ? asked.length_step : asked.width_step;
-    const Option<double>& unused = given == Given::width ? asked.width_step : asked.length_step;
+double loop_step(const Asked& asked, Planner planner, Sought sought) {
+    const Option<double>& used = sought == Sought::length ? asked.length_step : asked.width_step;
+    const Option<double>& unused = sought == Sought::length ? asked.width_step : asked.length_step;
     belongs_to(used, planner == Planner::stepping, "stepping");
     belongs_to(unused, planner == Planner::stepping, "stepping");
     if (unused) throw Error(unused.name() + " is of no use here; give " + used.name() + ", or leave it out");
     return used.value_or(0.01);
 }
 
-/// The library's question about minimum slots is one about the paper's slot.
-void refuse_neighbours(const NeighbourOptions& neighbours) {
-    const auto refuse = [](const auto& option, bool plain) {
-        if (option && !plain)
-            throw Error(option.name() +
-                        " is not known to min-slot, which finds the paper's slots; leave it out, or ask " +
-                        "snug entry about single slots");
-    };
-    refuse(neighbours.front_setback, neighbours.front_setback.value_or(0.0) == 0.0);
-    refuse(neighbours.rear_setback, neighbours.rear_setback.value_or(0.0) == 0.0);
-    refuse(neighbours.curb, neighbours.curb.value_or(Curb::high) == Curb::high);
-}
-
-MinSlotQuestion understood(const Asked& asked, Planner planner, Given given) {
-    MinSlotQuestion question{asked.car.car(), given, {}, {}, {}};
+MinSlotQuestion understood(const Asked& asked, Planner planner, Sought sought) {
+    MinSlotQuestion question{asked.car.car(), {}, {}, {}};
     const Car& car = question.car;
-    question.options.min_range = asked.min_range.value_or(0.0);
-    question.options.driving = asked.driving.driving(asked.neighbours);
-    question.options.parked = asked.parked.parked();
+    MinSlotOptions& options = question.options;
+    options.sought = sought;
+    options.strategy = planner == Planner::fewest ? Strategy::fewest : Strategy::max_steer;
+    options.min_range = asked.min_range.value_or(0.0);
+    options.driving = asked.driving.driving(asked.neighbours);
+    options.parked = asked.parked.parked();
     refuse_for_baselines(planner, asked.neighbours, asked.parked);
-    refuse_neighbours(asked.neighbours);
+    options.front_setback = asked.neighbours.front_setback.value_or(0.0);
+    options.rear_setback = asked.neighbours.rear_setback.value_or(0.0);
+    options.curb = asked.neighbours.curb.value_or(Curb::high);
     const double max_length = asked.max_length.value_or(std::min(car.length() + 4.0, limits::longest));
-    question.options.longest = std::max(0.0, max_length - car.length() - 2.0 * question.options.driving.clearance);
+    const double neighbours_touched =
+        (options.front_setback > 0.0 ? 0.0 : 1.0) + (options.rear_setback > 0.0 ? 0.0 : 1.0);
+    options.longest = std::max(0.0, max_length - car.length() - neighbours_touched * options.driving.clearance);
     if (asked.threads) question.threads = *asked.threads;
     belongs_to(asked.resolution, planner == Planner::fewest, "fewest");
+    options.resolution = asked.resolution.value_or(0.0);
+    if (planner == Planner::fewest && asked.min_range)
+        throw Error(asked.min_range.name() +
+                    " asks for headings, but fewest has none; leave it out or change --strategy");
     const Stepping stepping = asked.stepping.stepping(planner == Planner::stepping);
-    if (planner == Planner::stepping) question.strategy = stepping;
-    question.step = loop_step(asked, planner, given);
+    if (planner == Planner::stepping) question.stepping = stepping;
+    question.step = loop_step(asked, planner, sought);
     return question;
 }
 
-std::vector<MinSlotRow> answer(const MinSlotQuestion& question, const std::vector<double>& sizes,
-                               const SweepOptions& sweep) {
-    const bool width = question.given == Given::width;
-    if (const auto* stepping = std::get_if<Stepping>(&question.strategy)) {
-        const auto loop = width ? min_lengths_by_stepping : min_widths_by_stepping;
-        return loop(question.car, sizes, question.max_changes, *stepping, question.step, question.options, sweep);
-    }
-    const auto exactly = width ? min_lengths : min_widths;
-    return exactly(question.car, sizes, question.max_changes, question.options, sweep);
+/// A neighbour cannot begin deeper than the slot.
+void check_setbacks(const Asked& asked, const std::vector<double>& widths) {
+    for (const double width : widths) asked.neighbours.check_within(width);
+}
+
+std::vector<MinSlot> answer(const MinSlotQuestion& question, const std::vector<double>& sizes,
+                            const SweepOptions& sweep) {
+    if (question.stepping)
+        return min_slots_by_stepping(question.car, sizes, question.max_changes, *question.stepping, question.step,
+                                     question.options, sweep);
+    return min_slots(question.car, sizes, question.max_changes, question.options, sweep);
 }
 
 /// From counts outside to counts inside, so that what belongs to one width (or length) stands together.
-std::vector<MinSlotRow> counts_inside(const std::vector<MinSlotRow>& rows, std::size_t counts) {
-    std::vector<MinSlotRow> turned;
+std::vector<MinSlot> counts_inside(const std::vector<MinSlot>& rows, std::size_t counts) {
+    std::vector<MinSlot> turned;
     const std::size_t sizes = rows.size() / counts;
     for (std::size_t i = 0; i < sizes; ++i) {
         for (std::size_t k = 0; k < counts; ++k) turned.push_back(rows[k * sizes + i]);
@@ -203,12 +203,15 @@ public:
         if (!path.empty()) file_.emplace("--output", path);
         if (format == Format::text) text_ = heading();
         if (format == Format::json) text_ = json_.begin();
+        if (format == Format::csv) begin_csv();
     }
 
-    void add(const std::vector<MinSlotRow>& rows) {
-        if (format_ == Format::text) text_ += min_slot_table(question_.given, rows, question_.max_changes.size());
-        for (const MinSlotRow& row : rows) {
-            any_ = any_ || row.slot;
+    void add(const std::vector<MinSlot>& rows) {
+        if (format_ == Format::text)
+            text_ += fewest() ? fewest_slot_table(sought(), rows)
+                              : min_slot_table(sought(), rows, question_.max_changes.size());
+        for (const MinSlot& row : rows) {
+            any_ = any_ || row.size(sought());
             if (format_ == Format::csv) add_csv(row);
             if (format_ == Format::json) text_ += json_.row(row);
             if (text_.size() + csv_.text().size() > 1'000'000) flush();
@@ -217,31 +220,32 @@ public:
 
     int finish() {
         if (format_ == Format::json) text_ += json_.end();
-        if (format_ == Format::text) text_ += "Rounded up to millimetres; - where no slot will do.\n";
+        if (format_ == Format::text && !fewest()) text_ += "Rounded up to millimetres; - where no slot will do.\n";
         flush();
         if (file_) file_->finish();
         return any_ ? solved : cannot_park;
     }
 
 private:
+    [[nodiscard]] Sought sought() const { return question_.options.sought; }
+    [[nodiscard]] bool fewest() const { return question_.options.strategy == Strategy::fewest; }
+
     [[nodiscard]] std::string heading() const {
         const Car& car = question_.car;
-        const bool width = question_.given == Given::width;
+        const bool length = sought() == Sought::length;
         return name(car) + " (" + fixed(car.length(), 3) + " x " + fixed(car.width(), 3) + " m): the " +
-               (width ? "shortest" : "narrowest") + " slot [m] it parks in,\nby the slot's " +
-               (width ? "width" : "length") + " [m] and the most direction changes allowed\n\n";
+               (length ? "shortest" : "narrowest") + " slot [m] " + (fewest() ? "over all maneuvers" : "it parks in") +
+               ",\nby the slot's " + (length ? "width" : "length") + " [m] and the most direction changes allowed\n\n";
     }
 
-    void add_csv(const MinSlotRow& row) {
-        const bool width = question_.given == Given::width;
-        std::optional<double> found;
-        std::optional<double> heading;
-        if (row.slot) {
-            found = width ? row.slot->length : row.slot->width;
-            heading = row.slot->entry_heading;
-        }
-        const std::optional<double> given = row.given;
-        csv_.row(row.max_changes, width ? given : found, width ? found : given, heading);
+    void begin_csv() {
+        for (const char* column : {"max_changes", "width", "length"}) csv_.add_field(column);
+        csv_.add_field(fewest() ? std::string(to_string(sought())) + "_lower" : "entry_heading");
+        csv_.end_row();
+    }
+
+    void add_csv(const MinSlot& row) {
+        csv_.row(row.max_changes, row.width, row.length, fewest() ? std::optional(row.lower) : row.entry_heading);
     }
 
     void flush() {
@@ -258,7 +262,7 @@ private:
     Format format_;
     std::optional<FileInParts> file_;
     MinSlotJson json_;
-    Csv csv_{"max_changes", "width", "length", "entry_heading"};
+    Csv csv_;
     std::string text_;  ///< not yet written
     bool any_ = false;  ///< some row has an answer
 };
@@ -286,7 +290,7 @@ int answer_all(const MinSlotQuestion& question, Format format, const std::string
         }
         const std::vector<double> some(begin + static_cast<std::ptrdiff_t>(from),
                                        begin + static_cast<std::ptrdiff_t>(to));
-        const std::vector<MinSlotRow> rows = answer(question, some, sweep);
+        const std::vector<MinSlot> rows = answer(question, some, sweep);
         if (show) wipe_progress();
         report.add(counts_inside(rows, count));
     }
@@ -298,66 +302,12 @@ int answer_one(MinSlotQuestion question, double length, double width, Format for
     if (format == Format::text) {
         put_out(path, one_slot_text(one));
     } else {
-        for (const MinSlotRow& row : one.rows) question.max_changes.push_back(row.max_changes);
+        for (const MinSlot& row : one.rows) question.max_changes.push_back(row.max_changes);
         Report report(question, format, path);
         report.add(one.rows);
         report.finish();
     }
     return one.changes ? solved : cannot_park;
-}
-
-std::string fewest_csv(const std::vector<FewestLengthRow>& rows) {
-    Csv csv({"max_changes", "width", "length", "length_lower"});
-    for (const FewestLengthRow& row : rows)
-        csv.row(row.max_changes, row.width, row.found.length, row.found.length_lower);
-    return csv.text();
-}
-
-std::string fewest_text(const Car& car, const std::vector<FewestLengthRow>& rows) {
-    const auto up = [](double length) { return fixed(std::ceil(length * 1e3 - 1e-6) / 1e3, 3); };
-    const auto down = [](double length) { return fixed(std::floor(length * 1e3 + 1e-6) / 1e3, 3); };
-    std::vector<std::vector<std::string>> lines = {{"width", "changes", "impossible below", "parks in"}};
-    for (const FewestLengthRow& row : rows)
-        lines.push_back({fixed(row.width, 3), std::to_string(row.max_changes), down(row.found.length_lower),
-                         row.found.length ? up(*row.found.length) : "-"});
-    return name(car) + " (" + fixed(car.length(), 3) + " x " + fixed(car.width(), 3) +
-           " m): the shortest slot [m] over all maneuvers,\nby the slot's width [m] and the most direction changes "
-           "allowed\n\n" +
-           table(lines, "rrrr");
-}
-
-std::string fewest_written(const Car& car, const std::vector<FewestLengthRow>& rows, Format format) {
-    switch (format) {
-        case Format::json: return min_slot_json(car, rows);
-        case Format::csv: return fewest_csv(rows);
-        case Format::text: break;
-    }
-    return fewest_text(car, rows);
-}
-
-/// --strategy fewest: two lengths for each width and count.
-Action fewest_action(const Asked& asked, const MinSlotQuestion& question) {
-    if (asked.lengths || asked.extra_lengths)
-        throw Error("--strategy: fewest finds lengths; give --width or --extra-width, and no lengths");
-    if (asked.min_range)
-        throw Error(asked.min_range.name() +
-                    " asks for headings, but fewest has none; leave it out or change --strategy");
-    FewestLengthOptions options;
-    options.driving = question.options.driving;
-    options.parked = question.options.parked;
-    options.longest = question.options.longest;
-    options.resolution = asked.resolution.value_or(0.0);
-    return [question, options, sizes = widths(asked, question.car), most = counts(asked),
-            format = asked.output.format(), path = asked.output.path()] {
-        SweepOptions sweep;
-        sweep.threads = question.threads;
-        sweep.progress = show_progress();
-        const std::vector<FewestLengthRow> rows = min_lengths_fewest(question.car, sizes, most, options, sweep);
-        if (sweep.progress) wipe_progress();
-        put_out(path, fewest_written(question.car, rows, format));
-        const bool any = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.found.length; });
-        return any ? solved : cannot_park;
-    };
 }
 
 }  // namespace
@@ -369,11 +319,11 @@ Action parse_min_slot(const Arguments& arguments) {
     const Planner planner = asked.planner.value_or(Planner::max_steer);
     const bool width = asked.widths || asked.extra_widths;
     const bool length = asked.lengths || asked.extra_lengths;
-    MinSlotQuestion question = understood(asked, planner, width ? Given::width : Given::length);
+    MinSlotQuestion question = understood(asked, planner, width ? Sought::length : Sought::width);
     if (!width && !length)
         throw Error("--width is missing; give --width or --extra-width, or --length or --extra-length, in metres");
-    if (planner == Planner::fewest) return fewest_action(asked, question);
     const Format format = asked.output.format();
+    if (width) check_setbacks(asked, widths(asked, question.car));
     if (width && length) {
         if (asked.max_changes)
             throw Error("--length and --width are both given, and --max-changes; leave out one of the three");
@@ -387,7 +337,13 @@ Action parse_min_slot(const Arguments& arguments) {
     }
     if (length && asked.max_length)
         throw Error(asked.max_length.name() + " belongs to --width; leave it out where the length is given");
+    if (length && planner == Planner::fewest && asked.parked.curb)
+        throw Error(asked.parked.curb.name() +
+                    " can make a wider slot harder, so that fewest can prove no width; leave it out, or give widths");
     question.max_changes = counts(asked);
+    if (planner == Planner::fewest)
+        for (const int most : question.max_changes)
+            check_between(asked.max_changes.name(), most, 0.0, limits::most_changes_fewest, "");
     question.sizes = width ? widths(asked, question.car) : lengths(asked, question.car);
     return [question = std::move(question), format, path = asked.output.path()] {
         return answer_all(question, format, path);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "snug/entry.hpp"
@@ -10,23 +11,26 @@
 
 namespace snug::cli {
 
-/// Which of the slot's dimensions is given; the other is sought.
-enum class Given { width, length };
-
 struct MinSlotQuestion {
     Car car;
-    Given given = Given::width;
+    MinSlotOptions options;
     std::vector<double> sizes;  ///< the widths or lengths given
     std::vector<int> max_changes;
-    MinSlotOptions options;
-    Strategy strategy = MaxSteer{};
-    double step = 0.01;  ///< of the paper's loop [m]
+    std::optional<Stepping> stepping = {};  ///< the paper's loop instead of the exact search
+    double step = 0.01;                     ///< of the paper's loop [m]
     int threads = 0;
 };
 
 /// The minimum slots for some given widths (or lengths), counts inside, as a table with a column for every count. At most
 /// 80 columns.
-std::string min_slot_table(Given given, const std::vector<MinSlotRow>& rows, std::size_t counts);
+std::string min_slot_table(Sought sought, const std::vector<MinSlot>& rows, std::size_t counts);
+/// Those over all maneuvers: between which sizes.
+std::string fewest_slot_table(Sought sought, const std::vector<MinSlot>& rows);
+
+/// How the slots asked for are found, as --strategy names it.
+inline std::string_view strategy_name(const MinSlotQuestion& question) {
+    return question.stepping ? "stepping" : to_string(question.options.strategy);
+}
 
 /// One slot, and what others would need that differ from it a little.
 struct OneSlot {
@@ -43,7 +47,7 @@ struct OneSlot {
         std::optional<int> changes;  ///< what that slot needs
     };
     std::vector<Variation> variations;  ///< the least that make a difference
-    std::vector<MinSlotRow> rows;       ///< the shortest slots of its width for the counts in question
+    std::vector<MinSlot> rows;          ///< the shortest slots of its width for the counts in question
 };
 
 /// How many changes one slot needs; how much smaller it would have to be to need more, how much larger to need fewer.

@@ -18,22 +18,35 @@ std::string at_least(double size) { return fixed(std::ceil(size * 1000.0 - 1e-6)
 
 }  // namespace
 
-std::string min_slot_table(Given given, const std::vector<MinSlotRow>& rows, std::size_t counts) {
+std::string min_slot_table(Sought sought, const std::vector<MinSlot>& rows, std::size_t counts) {
+    const Sought given = sought == Sought::length ? Sought::width : Sought::length;
     std::string text;
     for (std::size_t from = 0; from < counts; from += columns_in_a_line) {
         const std::size_t to = std::min(from + columns_in_a_line, counts);
-        Rows lines = {{given == Given::width ? "width" : "length"}};
+        Rows lines = {{std::string(to_string(given))}};
         for (std::size_t k = from; k < to; ++k) lines.back().push_back(std::to_string(rows[k].max_changes));
         for (std::size_t first = 0; first < rows.size(); first += counts) {
-            lines.push_back({fixed(rows[first].given, 3)});
+            lines.push_back({fixed(*rows[first].size(given), 3)});
             for (std::size_t k = first + from; k < first + to; ++k) {
-                const std::optional<MinSlot>& slot = rows[k].slot;
-                lines.back().push_back(!slot ? "-" : at_least(given == Given::width ? slot->length : slot->width));
+                const std::optional<double>& size = rows[k].size(sought);
+                lines.back().push_back(size ? at_least(*size) : "-");
             }
         }
         text += table(lines, std::string(to - from + 1, 'r')) + '\n';
     }
     return text;
+}
+
+std::string fewest_slot_table(Sought sought, const std::vector<MinSlot>& rows) {
+    const auto down = [](double size) { return fixed(std::floor(size * 1e3 + 1e-6) / 1e3, 3); };
+    const Sought given = sought == Sought::length ? Sought::width : Sought::length;
+    Rows lines = {{std::string(to_string(given)), "changes", "impossible below", "parks in"}};
+    for (const MinSlot& row : rows) {
+        const std::optional<double>& size = row.size(sought);
+        lines.push_back({fixed(*row.size(given), 3), std::to_string(row.max_changes), down(row.lower),
+                         size ? at_least(*size) : "-"});
+    }
+    return table(lines, "rrrr");
 }
 
 std::string one_slot_text(const OneSlot& slot) {

@@ -10,15 +10,25 @@ namespace {
 
 constexpr double millimetre = 1e-3;
 
+/// The slot of that size, with the neighbours asked about.
+Slot in_question(double length, double width, const MinSlotOptions& like) {
+    return Slot({.length = length,
+                 .width = width,
+                 .front_setback = like.front_setback,
+                 .rear_setback = like.rear_setback,
+                 .curb = like.curb});
+}
+
 /// The fewest direction changes for a slot.
 std::optional<int> fewest(const Car& car, double length, double width, const MinSlotOptions& like) {
-    if (length < limits::shortest || width < limits::shortest) return std::nullopt;
+    const double narrowest = std::max({limits::shortest, like.front_setback, like.rear_setback});
+    if (length < limits::shortest || width < narrowest) return std::nullopt;
     EntryOptions options;
     options.prove = false;
     options.min_range = like.min_range;
     options.driving = like.driving;
     options.parked = like.parked;
-    return entry(car, Slot({.length = length, .width = width}), options).direction_changes;
+    return entry(car, in_question(length, width, like), options).direction_changes;
 }
 
 }  // namespace
@@ -29,7 +39,7 @@ OneSlot one_slot(const Car& car, double length, double width, const MinSlotOptio
                 width,
                 fewest(car, length, width, options),
                 limits::usual_changes,
-                shortfall(car, Slot({.length = length, .width = width}), options.driving.clearance),
+                shortfall(car, in_question(length, width, options), options.driving),
                 {},
                 {}};
     for (const bool vary_length : {true, false}) {
@@ -37,10 +47,10 @@ OneSlot one_slot(const Car& car, double length, double width, const MinSlotOptio
         const auto least = [&](int changes) {
             MinSlotOptions allowed = options;
             allowed.max_changes = changes;
-            const std::optional<MinSlot> slot =
-                vary_length ? min_length(car, width, allowed) : min_width(car, length, allowed);
-            if (vary_length) one.rows.push_back({changes, width, slot});
-            return slot ? std::optional(vary_length ? slot->length : slot->width) : std::nullopt;
+            allowed.sought = vary_length ? Sought::length : Sought::width;
+            const MinSlot slot = min_slot(car, vary_length ? width : length, allowed);
+            if (vary_length) one.rows.push_back(slot);
+            return slot.size(allowed.sought);
         };
         // Sizes are said in whole millimetres, and what such a slot needs is looked up, not concluded.
         const auto vary = [&](double by, const char* how) {

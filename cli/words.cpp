@@ -1,5 +1,8 @@
 #include "cli/words.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "cli/table.hpp"
 
 namespace snug::cli {
@@ -15,5 +18,16 @@ std::string words(const Shortfall& lacking) {
     text += lacking.length > 0.0 && lacking.width > 0.0 ? " and " : "";
     return text + (lacking.width > 0.0 ? fixed(lacking.width, 3) + " m too narrow" : "");
 }
+
+std::string steering(const Car& car, double angle) {
+    if (angle == 0.0) {
+        return "straight";
+    }
+    const std::string side = angle > 0.0 ? "left" : "right";
+    const bool full = std::abs(angle) >= car.max_steer() * (1.0 - 1e-9);
+    return full ? "full " + side : side + " " + fixed(std::abs(angle) * 180.0 / std::numbers::pi, 1) + " deg";
+}
+
+std::string metres(double length) { return fixed(length, 3) + " m"; }
 
 }  // namespace snug::cli

@@ -17,4 +17,10 @@ std::string name(const Car& car);
 /// "0.100 m too short and 0.020 m too narrow"; empty when nothing is lacking.
 std::string words(const Shortfall& lacking);
 
+/// "full left", "right 12.5 deg", "straight"
+std::string steering(const Car& car, double angle);
+
+/// "1.250 m"
+std::string metres(double length);
+
 }  // namespace snug::cli

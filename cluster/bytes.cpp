@@ -128,7 +128,7 @@ void write(Writer& to, const AtlasOptions& options) {
 
 AtlasOptions read_options(Reader& from) {
     AtlasOptions options;
-    options.strategy = AtlasStrategy{from.choice(0, 1)};
+    options.strategy = Strategy{from.choice(0, 1)};
     options.max_changes = from.optional();
     options.min_range = from.real();
     options.resolution = from.real();

@@ -2,9 +2,10 @@
 #include "header.hpp"
 
 namespace snug::drawing {
-namespace {
 
 std::string name_of(const Car& car) { return car.name().empty() ? "Unnamed car" : car.name(); }
+
+namespace {
 
 /// Where the slot lies in the world, when that is not the default.
 std::string placement(const Slot& slot, const Unit& unit) {
@@ -26,16 +27,18 @@ std::string picture_title(const Car& car, const Slot& slot, const Unit& unit) {
     return name_of(car) + ", slot " + size_label(slot.length(), slot.width(), unit);
 }
 
+void draw_header(cairo_t* canvas, std::string_view title, std::string_view answer, std::string_view facts) {
+    const double width = page_width - 2 * margin;
+    const TextStyle large = {type::title, palette::ink, true};
+    write(canvas, {margin, 26.0}, fitted(canvas, title, large, width), large);
+    const TextStyle bold = {type::normal + 1.5, palette::ink, true};
+    write(canvas, {margin, 47.0}, fitted(canvas, answer, bold, width), bold);
+    const TextStyle plain = {type::normal - 0.5, palette::faint_ink};
+    write(canvas, {margin, 64.0}, fitted(canvas, facts, plain, width), plain);
+}
+
 void draw_header(cairo_t* canvas, const Car& car, const Slot& slot, const Unit& unit, std::string_view answer,
                  const PictureOptions& options) {
-    const double width = page_width - 2 * margin;
-    const TextStyle title = {type::title, palette::ink, true};
-    write(canvas, {margin, 26.0}, fitted(canvas, name_of(car), title, width), title);
-
-    const TextStyle bold = {type::normal + 1.5, palette::ink, true};
-    const std::string shown = fitted(canvas, answer, bold, width);
-    write(canvas, {margin, 47.0}, shown, bold);
-
     std::string facts = "car " + size_label(car.length(), car.width(), unit) + ", turning radius " +
                         length_label(car.turning_radius(), unit) + "; slot " +
                         size_label(slot.length(), slot.width(), unit) + " on the " +
@@ -44,8 +47,7 @@ void draw_header(cairo_t* canvas, const Car& car, const Slot& slot, const Unit& 
     if (options.driving.clearance > 0.0) {
         facts += ", clearance " + length_label(options.driving.clearance, unit);
     }
-    const TextStyle plain = {type::normal - 0.5, palette::faint_ink};
-    write(canvas, {margin, 64.0}, fitted(canvas, facts + placement(slot, unit), plain, width), plain);
+    draw_header(canvas, name_of(car), answer, facts + placement(slot, unit));
 }
 
 std::string verdict(const Car& car, const Slot& slot, const Answer& answer, const PictureOptions& options) {
@@ -55,7 +57,7 @@ std::string verdict(const Car& car, const Slot& slot, const Answer& answer, cons
     if (answer.parkable()) {
         return "the car can park; no maneuver is given";
     }
-    const Shortfall lacking = shortfall(car, slot, options.driving.clearance);
+    const Shortfall lacking = shortfall(car, slot, options.driving);
     const Unit unit = unit_for(car.length());
     std::string text = "cannot park";
     if (lacking.length > 0.0) {

@@ -15,6 +15,8 @@ inline constexpr double header_height = 78.0;
 /// Where the scene lies; to its right stands the width of the slot.
 inline constexpr Panel stage_panel = {{margin, header_height}, page_width - 2 * margin - 74.0, 560.0};
 
+std::string name_of(const Car& car);
+void draw_header(cairo_t* canvas, std::string_view title, std::string_view answer, std::string_view facts);
 void draw_header(cairo_t* canvas, const Car& car, const Slot& slot, const Unit& unit, std::string_view answer,
                  const PictureOptions& options);
 /// "renault-zoe, slot 4.50 m × 2.00 m"

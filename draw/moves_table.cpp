@@ -89,7 +89,7 @@ Chart chart_of(const Columns& x, const Slot& slot, const std::vector<Leg>& legs)
 }
 
 void draw_row(cairo_t* canvas, const Columns& x, double y, const Chart& chart, const Maneuver& maneuver,
-              const Slot& slot, const Leg& leg, bool last, const Unit& unit) {
+              const Slot& slot, const Leg& leg, const std::string& end_in_words, bool last, const Unit& unit) {
     const Move& move = *leg.move;
     const TextStyle plain = {type::small, palette::ink};
     const TextStyle figures = {type::small, palette::ink, false, Align::right};
@@ -103,13 +103,15 @@ void draw_row(cairo_t* canvas, const Columns& x, double y, const Chart& chart, c
         draw_line(canvas, {end, y}, {end, y + row_height}, palette::faint_ink.faded(0.6), line::hair);
     }
     draw_path_sample(canvas, {chart.at(slot, move.start), y}, {end, y}, move.direction);
-    write(canvas, {x.heading, y}, degrees_label(std::remainder(slot.to_slot(move.end).heading, 2.0 * std::numbers::pi)),
-          figures);
+    const double heading = std::remainder(slot.to_slot(move.end).heading, 2.0 * std::numbers::pi);
+    write(canvas, {x.heading, y}, degrees_label(std::abs(heading) < 1e-12 ? 0.0 : heading), figures);
     if (move.contact) {
         draw_contact_sign(canvas, {x.sign, y}, move.contact->part, slot.side() == Side::left);
         const std::string contact =
             std::string(to_string(move.contact->part)) + " meets " + std::string(to_string(move.contact->obstacle));
         write(canvas, {x.contact, y}, fitted(canvas, contact, plain, x.end - x.contact), plain);
+    } else if (!end_in_words.empty()) {
+        write(canvas, {x.contact, y}, fitted(canvas, end_in_words, plain, x.end - x.contact), plain);
     } else {
         const TextStyle stop = {type::small, last ? palette::goal_text : palette::faint_ink, last};
         write(canvas, {x.contact, y}, last ? "goal position" : "stop", stop);
@@ -124,7 +126,7 @@ double table_height(std::size_t moves) {
 }
 
 void draw_table(cairo_t* canvas, Point top_left, double width, const Maneuver& maneuver, const Slot& slot,
-                const std::vector<Leg>& legs, const Unit& unit) {
+                const std::vector<Leg>& legs, const Unit& unit, const std::vector<std::string>& ends) {
     const double left = top_left.x;
     const auto column = [&](double part) { return left + part * width; };
     const Columns x = {left + 7.0,    left + 22.0,   column(0.10), column(0.245), column(0.275),
@@ -151,7 +153,8 @@ void draw_table(cairo_t* canvas, Point top_left, double width, const Maneuver& m
             i += left_out;
             y += row_height;
         }
-        draw_row(canvas, x, y, chart, maneuver, slot, legs[i], i + 1 == legs.size(), unit);
+        draw_row(canvas, x, y, chart, maneuver, slot, legs[i], i < ends.size() ? ends[i] : "", i + 1 == legs.size(),
+                 unit);
         y += row_height;
     }
 }

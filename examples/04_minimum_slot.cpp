@@ -9,13 +9,13 @@ int main() {
 
     std::puts("direction changes   shortest slot");
     for (const int changes : {0, 1, 2, 5, 10}) {
-        const auto slot = snug::min_length(car, width, {.max_changes = changes});
-        if (slot) std::printf("%17d   %.3f m\n", changes, slot->length);
+        const auto length = snug::min_slot(car, width, {.max_changes = changes}).length;
+        if (length) std::printf("%17d   %.3f m\n", changes, *length);
     }
 
     // Whoever wants to stay 10 cm away from everything needs more.
-    const auto slot = snug::min_length(car, width, {.max_changes = 10, .driving = {.clearance = 0.1}});
-    if (slot) std::printf("%17d   %.3f m, never nearer than 0.1 m to anything\n", 10, slot->length);
+    const auto length = snug::min_slot(car, width, {.max_changes = 10, .driving = {.clearance = 0.1}}).length;
+    if (length) std::printf("%17d   %.3f m, never nearer than 0.1 m to anything\n", 10, *length);
 }
 
 // Prints:

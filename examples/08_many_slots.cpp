@@ -16,9 +16,9 @@ int main() {
         std::printf("%-16s", car.name().c_str());
         // The shortest slot of every width in which the car parks with at most 5 direction changes,
         // if there is one.
-        for (const snug::MinSlotRow& row : snug::min_lengths(car, widths, {5})) {
-            if (row.slot)
-                std::printf("%7.2f", row.slot->length);
+        for (const snug::MinSlot& slot : snug::min_slots(car, widths, {5})) {
+            if (slot.length)
+                std::printf("%7.2f", *slot.length);
             else
                 std::printf("%7s", "-");
         }

@@ -17,7 +17,7 @@ tolerance = np.degrees(found["heading_max"] - found["heading_min"])
 print(f"in half of these the range is wider than {np.nanmedian(tolerance):.2f} degrees")
 
 # Shortest slots: a row for each number of direction changes, a column for each width.
-shortest = snug.min_lengths(car, [1.9, 2.0, 2.1], [1, 5, 10])
+shortest = snug.min_slots(car, [1, 5, 10], widths=[1.9, 2.0, 2.1])
 print(np.round(shortest["length"], 3))
 
 # Prints:

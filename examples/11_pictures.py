@@ -12,7 +12,7 @@ page, axes = pyplot.subplots(2, 2, figsize=(16, 9), width_ratios=[3, 2], constra
 snug.plot.maneuver(answer.maneuver, slot, ax=axes[0, 0])
 snug.plot.entries(car, slot, answer, ax=axes[1, 0])
 snug.plot.ranges(answer, ax=axes[0, 1])
-snug.plot.min_slots(widths, changes, snug.min_lengths(car, widths, changes), ax=axes[1, 1], name="Renault ZOE")
+snug.plot.min_slots(widths, changes, snug.min_slots(car, changes, widths=widths), ax=axes[1, 1], name="Renault ZOE")
 page.savefig("parking.png")
 print("parking.png")
 

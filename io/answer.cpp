@@ -1,19 +1,11 @@
 // Cars, slots, maneuvers and answers as JSON objects, key by key as documented.
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <variant>
 
 #include "io/conditions.hpp"
 #include "snug/io.hpp"
 
 namespace snug {
-
-std::string_view to_string(const Strategy& strategy) {
-    constexpr std::string_view names[] = {"max-steer", "stepping", "reversed-trials", "parallel-trials"};
-    static_assert(std::size(names) == std::variant_size_v<Strategy>);
-    return names[strategy.index()];
-}
 
 Json as_json(const Car& car) {
     Json json = Json::object();
@@ -35,12 +27,12 @@ Json as_json(const Car& car) {
 Json as_json(const Slot& slot) {
     Json json = {{"length", slot.length()},
                  {"width", slot.width()},
-                 {"side", slot.side() == Side::right ? "right" : "left"},
+                 {"side", to_string(slot.side())},
                  {"corner", Json::array({slot.corner().x, slot.corner().y})},
                  {"heading", slot.heading()}};
     if (slot.front_setback() > 0.0) json["front_setback"] = slot.front_setback();
     if (slot.rear_setback() > 0.0) json["rear_setback"] = slot.rear_setback();
-    if (slot.curb() == Curb::low) json["curb"] = "low";
+    if (slot.curb() == Curb::low) json["curb"] = to_string(slot.curb());
     return json;
 }
 
@@ -92,11 +84,12 @@ Json as_json(const Maneuver& maneuver) {
             {"moves", std::move(moves)}};
 }
 
-Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const Answer& answer) {
+Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const Answer& answer,
+             std::string_view strategy) {
     Json json = {{"schema", 1},
                  {"car", as_json(car)},
                  {"slot", as_json(slot)},
-                 {"strategy", to_string(options.strategy)},
+                 {"strategy", strategy},
                  {"max_changes", nullptr}};
     if (options.max_changes) {
         json["max_changes"] = *options.max_changes;
@@ -109,7 +102,7 @@ Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, cons
     if (answer.direction_changes) {
         json["direction_changes"] = *answer.direction_changes;
     }
-    if (options.prove && std::holds_alternative<MaxSteer>(options.strategy) && !answer.cancelled) {
+    if (options.prove && strategy == "max-steer" && !answer.cancelled) {
         json["proved"] = answer.proved;
         Json& undecided = json["undecided"] = Json::array();
         for (const Headings& part : answer.undecided)

@@ -143,6 +143,7 @@ Scene scene(const Json& file) {
     } else {
         place.region = usual_region(place, start);
     }
+    if (place.obstacles.empty()) throw Error("the scene is empty; name what is to be kept clear of in \"obstacles\"");
     return {Place(std::move(place)), start};
 }
 
@@ -151,6 +152,7 @@ Scene scene(const Json& file) {
 Scene scene_from_json(std::string_view text, const std::string& source) {
     try {
         if (text.size() > largest_file) throw Error("is larger than 1 MB");
+        if (text.empty()) throw Error("is empty; give a scene as JSON");
         const Json file = Json::parse(text, nullptr, false);
         if (file.is_discarded()) throw Error("is no valid JSON");
         return scene(file);
@@ -197,6 +199,7 @@ Scene scene_from_csv(std::string_view text, const std::string& source) {
         }
         place.parked = ParkedAt{goal, 0.1, 0.1, 0.05};
         place.region = usual_region(place, start);
+        if (place.obstacles.empty()) throw Error("the case has no obstacles; name what is to be kept clear of");
         return {Place(std::move(place)), start};
     } catch (const Error& error) {
         throw Error(source + ": " + error.what());

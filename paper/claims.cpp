@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "paper/csv.hpp"
+#include "snug/baselines.hpp"
 #include "snug/io.hpp"
 
 namespace snug::paper {
@@ -86,11 +86,11 @@ std::optional<double> difference(const std::optional<double>& a, const std::opti
     return a && b ? std::optional(*a - *b) : std::nullopt;
 }
 
-std::optional<int> fewest(const Car& car, double length, double width, const Strategy& strategy) {
+std::optional<int> fewest(const Car& car, double length, double width, const std::optional<Stepping>& steps) {
     EntryOptions options;
     options.prove = false;
-    options.strategy = strategy;
-    return entry(car, Slot({.length = length, .width = width}), options).direction_changes;
+    const Slot slot({.length = length, .width = width});
+    return (steps ? entry(car, slot, options, *steps) : entry(car, slot, options)).direction_changes;
 }
 
 // Section 4.1: comparison to related works.
@@ -100,7 +100,7 @@ Claim one_slot(const Claim& claim, const Car& car, double length, double width, 
     const Stepping steps = work.options().grids.steps;
     Stepping fine = steps;
     fine.step /= 10.0;
-    const std::vector<Strategy> strategies = {steps, fine, MaxSteer{}};
+    const std::vector<std::optional<Stepping>> strategies = {steps, fine, std::nullopt};
     std::vector<std::optional<int>> changes(strategies.size());
     work.each(strategies.size(), [&](std::size_t i) { changes[i] = fewest(car, length, width, strategies[i]); });
     Claim judged = claim;
@@ -316,7 +316,7 @@ std::vector<FewestWhenTight> fewest_when_tight(const Evidence& evidence, Work& w
         const std::size_t width = i % per_car;
         const bool exactly = width < widths.size();
         changes[i] = fewest(car, car.length() + tight, car.width() + (exactly ? widths[width] : widths.back()),
-                            exactly ? Strategy(MaxSteer{}) : Strategy(grids.steps));
+                            exactly ? std::nullopt : std::optional(grids.steps));
     });
     std::vector<FewestWhenTight> all(evidence.minima.size());
     for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -337,18 +337,17 @@ struct Narrowest {
 
 Narrowest narrowest_when_tight(const Car& car, Work& work) {
     const Grids& grids = work.options().grids;
-    const auto slot = min_width(car, car.length() + tight, {.max_changes = 30});
-    if (!slot) return {};
-    Narrowest found{slot->width - car.width(), {}};
+    const auto width = min_slot(car, car.length() + tight, {.max_changes = 30, .sought = Sought::width}).width;
+    if (!width) return {};
+    Narrowest found{*width - car.width(), {}};
     EntryOptions options;
     options.prove = false;
-    options.strategy = grids.steps;
     options.max_changes = 30;
     const double before = std::floor(*found.exact / grids.width_step) - 1.0;
     for (double i = std::max(0.0, before); i < before + 20.0 && !found.stepped; i += 1.0) {
         const double extra = i * grids.width_step;
         const Slot wider({.length = car.length() + tight, .width = car.width() + extra});
-        if (entry(car, wider, options).parkable()) found.stepped = extra;
+        if (entry(car, wider, options, grids.steps).parkable()) found.stepped = extra;
     }
     return found;
 }
@@ -457,7 +456,7 @@ void add_little_gained(std::vector<Claim>& claims, const Evidence& evidence, Wor
                                 ", because in one move a car enters the more steeply the deeper the slot is."});
 
     const auto changes_at = [&](double extra_length, double extra_width) {
-        return fewest(zoe.car, zoe.car.length() + extra_length, zoe.car.width() + extra_width, MaxSteer{});
+        return fewest(zoe.car, zoe.car.length() + extra_length, zoe.car.width() + extra_width, {});
     };
     const auto base = changes_at(0.5, wide_enough);
     const auto wider = changes_at(0.5, wide_enough + 0.1);

@@ -1,7 +1,8 @@
 #include "paper/headings.hpp"
 
-#include "paper/csv.hpp"
+#include "io/csv.hpp"
 #include "paper/minima.hpp"
+#include "snug/baselines.hpp"
 
 namespace snug::paper {
 
@@ -13,20 +14,21 @@ Slot slot_of(const Car& car, const SlotHeadings& at) {
     return Slot({.length = car.length() + at.extra_length, .width = car.width() + at.extra_width});
 }
 
-std::vector<Subrange> found(const Car& car, const SlotHeadings& at, const Strategy& strategy, double min_range) {
+std::vector<Subrange> found(const Car& car, const SlotHeadings& at, double min_range,
+                            const std::optional<Stepping>& steps = {}) {
     EntryOptions options;
     options.prove = false;
-    options.strategy = strategy;
     options.max_changes = at.max_changes;
     options.min_range = min_range;
-    return subranges(entry(car, slot_of(car, at), options).ranges);
+    const Slot slot = slot_of(car, at);
+    return subranges((steps ? entry(car, slot, options, *steps) : entry(car, slot, options)).ranges);
 }
 
 void solve(std::vector<SlotHeadings>& all, Work& work) {
     const Car zoe = find_car("renault-zoe").value();
     work.each(all.size(), [&](std::size_t i) {
-        all[i].exact = found(zoe, all[i], MaxSteer{}, 0.0);
-        all[i].sampled = found(zoe, all[i], MaxSteer{}, work.options().grids.steps.heading_step);
+        all[i].exact = found(zoe, all[i], 0.0);
+        all[i].sampled = found(zoe, all[i], work.options().grids.steps.heading_step);
     });
 }
 
@@ -68,21 +70,21 @@ std::vector<SlotHeadings> stepped_headings(Work& work) {
     const Car zoe = find_car("renault-zoe").value();
     std::vector<SlotHeadings> all;
     for (const double width : extra_widths(grids, grids.width_step)) all.push_back({figure_length, width, 10, {}, {}});
-    work.each(all.size(), [&](std::size_t i) { all[i].sampled = found(zoe, all[i], grids.steps, 0.0); });
+    work.each(all.size(), [&](std::size_t i) { all[i].sampled = found(zoe, all[i], 0.0, grids.steps); });
     return all;
 }
 
 std::vector<File> headings_files(const std::vector<SlotHeadings>& over_width,
                                  const std::vector<SlotHeadings>& over_length) {
-    Csv headings("extra_width,max_changes,subrange,heading_min,heading_max");
+    Csv headings({"extra_width", "max_changes", "subrange", "heading_min", "heading_max"});
     for (const SlotHeadings& at : over_width)
         for (std::size_t i = 0; i < at.exact.size(); ++i)
             headings.row(at.extra_width, at.max_changes, static_cast<int>(i), at.exact[i].min, at.exact[i].max);
-    Csv numbers("extra_length,extra_width,subranges,subranges_wider_than_heading_step");
+    Csv numbers({"extra_length", "extra_width", "subranges", "subranges_wider_than_heading_step"});
     for (const SlotHeadings& at : over_length)
         numbers.row(at.extra_length, at.extra_width, static_cast<int>(at.exact.size()),
                     static_cast<int>(at.sampled.size()));
-    return {headings.file("entry_headings.csv"), numbers.file("subranges.csv")};
+    return {File{"entry_headings.csv", headings.text()}, File{"subranges.csv", numbers.text()}};
 }
 
 }  // namespace snug::paper

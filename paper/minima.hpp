@@ -18,7 +18,7 @@ struct SteppedMinimum {
 
 struct CarMinima {
     Car car;
-    std::vector<MinSlotRow> exact;
+    std::vector<MinSlot> exact;
     std::vector<SteppedMinimum> stepped;  ///< at a few widths only
 
     /// Shortest slot beyond the car's length, at one of the grid's widths. [m]

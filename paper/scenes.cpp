@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "paper/csv.hpp"
+#include "io/csv.hpp"
 #include "paper/headings.hpp"
 #include "snug/entry.hpp"
 
@@ -18,16 +18,16 @@ constexpr double slot_width = 2.0;    // [m]
 constexpr int max_changes = 2;
 
 File table_of_cars() {
-    Csv csv("car,width,front,rear,wheelbase,max_steer_deg,turning_radius,curb_to_curb");
+    Csv csv({"car", "width", "front", "rear", "wheelbase", "max_steer_deg", "turning_radius", "curb_to_curb"});
     for (const Car& car : catalogue())
         csv.row(car.name(), car.width(), car.front(), car.rear(), car.wheelbase(),
                 car.max_steer() * 180.0 / std::numbers::pi, car.turning_radius(), car.curb_to_curb());
-    return csv.file("cars.csv");
+    return {"cars.csv", csv.text()};
 }
 
 /// Each line is a polygon or a path, its points in order.
 File frames_and_paths() {
-    Csv csv("car,line,x,y");
+    Csv csv({"car", "line", "x", "y"});
     for (const Car& car : catalogue()) {
         for (const Point& corner : frame(car, {})) csv.row(car.name(), "frame", corner.x, corner.y);
         for (int degrees = 0; degrees <= 90; ++degrees) {
@@ -41,12 +41,13 @@ File frames_and_paths() {
             csv.row(car.name(), "front-right corner", corner.x, corner.y);
         }
     }
-    return csv.file("car_paths.csv");
+    return {"car_paths.csv", csv.text()};
 }
 
-constexpr const char* position_columns =
-    "position,x,y,heading,front_left_x,front_left_y,rear_left_x,rear_left_y,rear_right_x,rear_right_y,front_right_x,"
-    "front_right_y";
+Csv position_table() {
+    return Csv({"position", "x", "y", "heading", "front_left_x", "front_left_y", "rear_left_x", "rear_left_y",
+                "rear_right_x", "rear_right_y", "front_right_x", "front_right_y"});
+}
 
 void add_position(Csv& csv, const char* kind, const Car& car, const Pose& pose) {
     const auto corners = frame(car, pose);
@@ -60,18 +61,18 @@ void add_slot(Csv& csv, const Slot& slot) {
 }
 
 File possible_entries(const Car& car, const Slot& slot) {
-    Csv csv(position_columns);
+    Csv csv = position_table();
     add_slot(csv, slot);
     constexpr int positions = 90;
     for (int i = 0; i <= positions; ++i) {
         const MaxSteerRun run = max_steer(car, slot, quarter_turn * i / positions, {.max_changes = 0});
         if (run.outcome != Outcome::no_entry) add_position(csv, "possible entry", car, run.maneuver.entry());
     }
-    return csv.file("possible_entries.csv");
+    return {"possible_entries.csv", csv.text()};
 }
 
 File entries_and_goals(const Car& car, const Slot& slot) {
-    Csv csv(position_columns);
+    Csv csv = position_table();
     add_slot(csv, slot);
     EntryOptions options;
     options.prove = false;
@@ -86,7 +87,7 @@ File entries_and_goals(const Car& car, const Slot& slot) {
             add_position(csv, "goal", car, run.maneuver.goal());
         }
     }
-    return csv.file("entries_and_goals.csv");
+    return {"entries_and_goals.csv", csv.text()};
 }
 
 }  // namespace

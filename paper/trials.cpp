@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "paper/csv.hpp"
+#include "io/csv.hpp"
 #include "snug/entry.hpp"
 
 namespace snug::paper {
@@ -30,9 +30,9 @@ std::vector<TrialsInSlot> trials_over_length(Work& work) {
 }
 
 File trials_file(const std::vector<TrialsInSlot>& all) {
-    Csv csv("length,reversed_trials_their_goal,reversed_trials_our_goal,max_steer");
+    Csv csv({"length", "reversed_trials_their_goal", "reversed_trials_our_goal", "max_steer"});
     for (const TrialsInSlot& one : all) csv.row(one.length, one.trials.deduced, one.trials.found, one.max_steer);
-    return csv.file("reversed_trials.csv");
+    return {"reversed_trials.csv", csv.text()};
 }
 
 }  // namespace snug::paper

@@ -1,12 +1,16 @@
 // Work on all cores, in stages of which the asker hears as one.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 
 #include "paper/paper.hpp"
 
 namespace snug::paper {
+
+/// A point of a grid, without the digits that counting it out has left. [m]
+inline double on_grid(double value) { return std::round(value * 1e9) / 1e9; }
 
 /// The asker gave up. Never leaves regenerate().
 struct GivenUp {};

@@ -5,12 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "baselines/stepping_entry.hpp"
 #include "contact/entering.hpp"
 #include "full_steering/heading_ranges.hpp"
 #include "full_steering/proof.hpp"
-#include "full_steering/widest_range.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 
@@ -18,7 +17,6 @@ namespace {
 
 using namespace detail;
 
-constexpr int most_changes = 200;                 ///< where the search ends unless told otherwise
 constexpr std::size_t most_proof_moves = 60'000;  ///< driven for a proof: some 0.2 s at most
 constexpr double inward = 2e-13;  ///< edges are moved this far into their range, beyond any rounding [rad]
 
@@ -155,17 +153,18 @@ Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& opt
             return !answer.cancelled;
         };
     }
-    const int limit = options.max_changes.value_or(most_changes);
+    const int limit = options.max_changes.value_or(limits::usual_changes);
     std::vector<Headings> noise;
+    SearchWork work;
     std::vector<CountedHeadings> found =
-        heading_ranges(steering, limit, options.max_changes ? Find::all : Find::fewest, progress);
+        heading_ranges(steering, limit, options.max_changes ? Find::all : Find::fewest, progress, &work);
     int allowed = options.max_changes || found.empty() ? limit : found.front().changes;
     leave_out_noise(steering, found, noise);
     std::optional<int> fewest = fewest_changes(found, width);
     // Nothing wide enough: allow more changes, a few at first.
     for (int more = 1; !fewest && allowed < limit && !answer.cancelled; more *= 2) {
         allowed = std::min(allowed + more, limit);
-        found = heading_ranges(steering, allowed, Find::all, progress);
+        found = heading_ranges(steering, allowed, Find::all, progress, &work);
         leave_out_noise(steering, found, noise);
         fewest = fewest_changes(found, width);
     }
@@ -199,58 +198,37 @@ Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& opt
             answer.lower_bound = bound;
         }
     }
-    if (!fewest) return answer;
+    if (!fewest) {
+        answer.cancelled = !work.complete && !answer.proved;  // it did not look everywhere
+        return answer;
+    }
     answer.direction_changes = fewest;
     answer.ranges = ranges_of(found, options.max_changes ? limit : *fewest, width);
     const MaxSteerOptions drive = {*fewest, options.driving, options.parked};
-    answer.maneuver = max_steer(car, slot, middle(*widest_range(answer.ranges, *fewest)), drive).maneuver;
-    return answer;
-}
-
-Answer trials_answer(std::optional<Maneuver> maneuver) {
-    Answer answer;
-    if (maneuver) answer.direction_changes = maneuver->direction_changes();
-    answer.maneuver = std::move(maneuver);
+    answer.maneuver =
+        detail::max_steer(car, slot, steering, middle(*widest_range(answer.ranges, *fewest)), drive).maneuver;
     return answer;
 }
 
 }  // namespace
 
 Answer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
-    const MaxSteerOptions drive{options.max_changes.value_or(most_changes), options.driving, options.parked};
+    const MaxSteerOptions drive{options.max_changes.value_or(limits::usual_changes), options.driving, options.parked};
     check(drive);
-    check_between("smallest range", options.min_range, 0.0, 1.5707963267948966, " rad");
-    if (const auto* trials = std::get_if<ReversedTrials>(&options.strategy))
-        return trials_answer(reversed_trials(car, slot, *trials, drive));
-    if (const auto* trials = std::get_if<ParallelTrials>(&options.strategy))
-        return trials_answer(parallel_trials(car, slot, *trials, drive));
+    check_between("smallest range", options.min_range, 0.0, limits::quarter_turn, " rad");
     const Shortfall lacks = shortfall(car, slot, options.driving);
     if (lacks.length > 0.0 || lacks.width > 0.0) {
         Answer none;
-        none.proved = options.prove && std::holds_alternative<MaxSteer>(options.strategy);
-        if (none.proved) none.lower_bound = options.max_changes.value_or(most_changes) + 1;
+        none.proved = options.prove;
+        if (none.proved) none.lower_bound = options.max_changes.value_or(limits::usual_changes) + 1;
         return none;
-    }
-    if (const auto* steps = std::get_if<Stepping>(&options.strategy)) {
-        return stepping_entry(car, slot, options, *steps);
     }
     return max_steer_entry(car, slot, options);
 }
 
 Shortfall shortfall(const Car& car, const Slot& slot, const Driving& driving) {
-    const auto kept_from = [&](double setback) { return setback > 0.0 ? 0.0 : driving.clearance; };
-    const Outline& stops = slot.curb() == Curb::low ? car.wheels() : car.outline();
-    const bool right = slot.side() == Side::right;
-    const double width = slot.curb() == Curb::low
-                             ? (right ? car.outline().left() + stops.right() : car.outline().right() + stops.left())
-                             : car.width();
-    return {
-        std::max(0.0, car.length() + kept_from(slot.front_setback()) + kept_from(slot.rear_setback()) - slot.length()),
-        std::max(0.0, width + driving.at_curb() - slot.width())};
-}
-
-Shortfall shortfall(const Car& car, const Slot& slot, double clearance) {
-    return shortfall(car, slot, Driving{.clearance = clearance});
+    const LeastSlot least = least_slot(car, slot, driving);
+    return {std::max(0.0, least.length - slot.length()), std::max(0.0, least.width - slot.width())};
 }
 
 }  // namespace snug

@@ -9,7 +9,7 @@
 #include "all_maneuvers/search.hpp"
 #include "contact/entering.hpp"
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug {
 
@@ -115,6 +115,34 @@ Answer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOpt
     }
     fall_back_on(std::move(at_hand), car, bounds);
     return answer_of(question, std::move(bounds), car, slot, false);
+}
+
+Place road_place(const Street& street) {
+    constexpr double aslant = 0.1;      // [rad]
+    constexpr double endless = 1000.0;  // [m]
+    const Place bay = street_place(street);
+    // The slot's frame is the street's: x along it, y from the entry side out into the road.
+    const Slot frame({.length = street.length,
+                      .width = street.width,
+                      .side = street.side,
+                      .corner = street.corner,
+                      .heading = street.heading});
+    const double across = street.road.value_or(endless);
+    ParkedInside on_road;
+    for (const Point& corner :
+         {Point{-endless, 0.0}, Point{endless, 0.0}, Point{endless, across}, Point{-endless, across}})
+        on_road.corners.push_back(frame.to_world(corner));
+    on_road.heading = street.heading;
+    on_road.heading_tolerance = aslant;
+    PlaceDescription road;
+    road.obstacles = bay.obstacles();
+    road.parked = on_road;
+    road.region = bay.region();
+    return Place(std::move(road));
+}
+
+ParkAnswer leave(const Car& car, const Street& street, const Pose& pose, const ParkOptions& options) {
+    return park(car, road_place(street), pose, options);
 }
 
 }  // namespace snug

@@ -1,289 +1,46 @@
-// A slot is as small as can be where the least depth over all headings and moves becomes zero. That is a root, and is
-// found as one: from a slot that parks and a heading that shows it,
-//   - shrink the slot until that heading only just parks, turn the heading to where the slot can be smaller still, and
-//     so on: that takes single runs of the strategy,
-//   - then look at all headings in a slot smaller by the resolution. Does none park, the root is found; otherwise
-//     begin again from the heading that does, and look further down the next time.
-//
-// A larger slot can be harder for this strategy: it drives on until contact, and what it meets farther back can be worse
-// than the neighbour it would have met. So the sizes that park may have gaps, and a root found from above need not be
-// the smallest one. Before an answer is given, smaller sizes are tried: close to it, thirty times farther away each
-// time, and all others in steps of a hundredth of a metre or so, the largest count first, for where that does not park
-// no smaller one does. What parks only between two such steps, or far below the root with more than 20 changes alone, is
-// missed.
 #include "snug/min_slot.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 
-#include "contact/entering.hpp"
-#include "full_steering/heading_ranges.hpp"
+#include "all_maneuvers/smallest_slot.hpp"
+#include "contact/sized_slot.hpp"
 #include "full_steering/smallest_slot.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
+#include "snug/error.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 
-namespace detail {
-
 namespace {
 
-constexpr double resolution = 5e-8;            ///< of answers [m]
-constexpr double farther = 30.0;               ///< each size tried than the one before
-constexpr double stride = 0.0025;              ///< between sizes tried, times the car's length
-constexpr double growing = 0.025;              ///< and times what the size is more than the least
-constexpr int most_looked_for = 20;            ///< changes, far from a root: more take long to rule out
-constexpr double fine = 1e-9;                  ///< of roots for one heading [m]
-constexpr int most_turns = 40;                 ///< of a heading, before all are looked at again
-constexpr double beside = 2.0 * one_subrange;  ///< how far a stretch must reach to be seen by two runs [rad]
-
-class SlotSearch {
-public:
-    SlotSearch(const Car& car, Sought sought, double given, const MinSlotOptions& options)
-        : car_(car), sought_(sought), given_(given), options_(options) {
-        const bool length = sought == Sought::length;
-        least_ = length ? car.length() + 2.0 * options.driving.clearance : car.width() + options.driving.clearance;
-        most_ = least_ + (length ? options.longest : options.widest);
-        const double needed =
-            length ? car.width() + options.driving.clearance : car.length() + 2.0 * options.driving.clearance;
-        hopeless_ = given < needed;
-    }
-
-    /// The smallest size for this many changes, not less than asked for the last time. `nearby` may come close to an
-    /// entry heading.
-    std::optional<MinSlot> smallest(int max_changes, std::optional<double> nearby) {
-        if (hopeless_) return std::nullopt;
-        changes_ = max_changes;
-        if (!found_) {
-            const std::optional<double> any = parks(most_);
-            if (!any) return std::nullopt;
-            found_ = Found{most_, *any};
-        }
-        if (nearby && any_range_will_do() && parks_around(steering(found_->size), *nearby))
-            found_ = Found{smallest_for(*nearby, least_, found_->size), *nearby};
-        settle(least_);
-        return answer();
-    }
-
-    /// The smallest size for this many changes, where nothing parks below `clear` and `known` is what smallest() said.
-    std::optional<MinSlot> smallest_above(double clear, int max_changes, const std::optional<MinSlot>& known) {
-        if (hopeless_) return std::nullopt;
-        changes_ = std::min(max_changes, most_looked_for);
-        const double end = known ? size_of(*known) : most_;
-        for (double fails = std::max(clear, least_);;) {
-            const double size = fails + std::max(stride * car_.length(), growing * (fails - least_));
-            if (!(size < end)) return known;
-            if (const std::optional<double> heading = parks(size)) {
-                changes_ = max_changes;
-                found_ = Found{size, *heading};
-                settle(fails);
-                return answer();
-            }
-            fails = size;
-        }
-    }
-
-    /// The one that is sought.
-    [[nodiscard]] double size_of(const MinSlot& slot) const {
-        return sought_ == Sought::length ? slot.length : slot.width;
-    }
-
-private:
-    struct Found {
-        double size;
-        double heading;
-    };
-
-    [[nodiscard]] FullSteering steering(double size) const {
-        const bool length = sought_ == Sought::length;
-        const Slot slot({.length = length ? size : given_, .width = length ? given_ : size});
-        return FullSteering(entering_problem(car_, slot, options_.driving, options_.parked));
-    }
-
-    [[nodiscard]] bool any_range_will_do() const { return options_.min_range <= resolvable_range; }
-
-    /// Looks at all headings: one that parks, in the middle of the widest stretch if `middle`, else any.
-    [[nodiscard]] std::optional<double> parks(double size, bool middle = false) const {
-        const FullSteering at = steering(size);
-        if (any_range_will_do() && !middle) {
-            const std::vector<CountedHeadings> shown = heading_ranges(at, changes_, Find::any);
-            if (shown.empty()) return std::nullopt;
-            if (parks_around(at, shown.front().min)) return shown.front().min;
-        }
-        const std::vector<CountedHeadings> ranges = heading_ranges(at, changes_, Find::all);
-        std::optional<double> heading;
-        double widest = 0.0;
-        for (const Stretch& stretch : stretches(ranges, changes_, std::max(options_.min_range, resolvable_range))) {
-            const double min = ranges[stretch.first].min;
-            const double width = ranges[stretch.last].max - min;
-            if (heading && width < widest) continue;
-            widest = width;
-            heading = min + width / 2.0;
-        }
-        return heading;
-    }
-
-    /// How far from parked the car stays in all moves allowed, the least D_n [m]: at most 0 if the heading parks.
-    [[nodiscard]] double miss(const FullSteering& at, double heading) const {
-        double least = std::numeric_limits<double>::infinity();
-        bool possible = false;
-        for (const Headings& headings : possible_headings(at.problem))
-            possible = possible || (heading >= headings.min && heading <= headings.max);
-        if (!possible) return least;
-        FullSteeringRun run(at, heading);
-        bool stuck = false;
-        for (int n = 0; n <= changes_; ++n) {
-            const FullMove move = run.drive<false>();
-            least = std::min(least, move.depth);
-            if (least <= 0.0 || move.meets == Meets::nothing || (stuck && move.stuck)) break;
-            stuck = move.stuck;
-        }
-        return least;
-    }
-
-    /// Does the heading park, and a neighbour with it?
-    [[nodiscard]] bool parks_around(const FullSteering& at, double heading) const {
-        return miss(at, heading) <= 0.0 && (miss(at, heading + beside) <= 0.0 || miss(at, heading - beside) <= 0.0);
-    }
-
-    /// From the size found to the smallest, as far as one sees without trying all that are larger than `fails`.
-    void settle(double fails) {
-        descend(fails);
-        for (double away = farther * resolution; away < stride * car_.length() && found_->size - away > fails;
-             away *= farther) {
-            const double size = found_->size - away;
-            const std::optional<double> heading = parks(size);
-            if (!heading) continue;
-            found_ = Found{size, *heading};
-            descend(fails);
-            away = resolution;
-        }
-    }
-
-    /// From the size found to one just above a root: nothing smaller by the resolution parks.
-    void descend(double fails) {
-        double down = resolution;
-        while (found_->size - fails > resolution) {
-            if (any_range_will_do()) polish(fails);
-            const double half = (found_->size - fails) / 2.0;
-            const bool narrowed = fails > least_ && !any_range_will_do();
-            const double size = found_->size - (narrowed || down > half ? half : down);
-            if (const std::optional<double> heading = parks(size)) {
-                found_ = Found{size, *heading};
-                down *= 32.0;
-            } else {
-                if (found_->size - size <= resolution) return;
-                fails = size;
-                down = resolution;
-            }
-        }
-    }
-
-    /// Makes the slot smaller around the heading found, as far as single runs can see: turns the heading in growing,
-    /// then in shrinking steps wherever that allows a smaller slot. Where it would take many a small turn, looking at all
-    /// headings is quicker.
-    void polish(double fails) {
-        found_->size = smallest_for(found_->heading, fails, found_->size);
-        double step = 1e-6;
-        for (int i = 0; i < most_turns && step > beside; ++i)
-            step *= turn(step, fails) || turn(-step, fails) ? 4.0 : 0.3;
-    }
-
-    bool turn(double by, double fails) {
-        const double heading = found_->heading + by;
-        const double smaller = found_->size - fine;
-        if (smaller <= fails || !parks_around(steering(smaller), heading)) return false;
-        found_ = Found{smallest_for(heading, fails, smaller), heading};
-        return true;
-    }
-
-    /// The smallest size, as far as one sees, in which this heading parks.
-    [[nodiscard]] double smallest_for(double heading, double fails, double works) const {
-        double low = fails;
-        double high = works;
-        double at_low = miss(steering(low), heading);
-        double at_high = miss(steering(high), heading);
-        const double start = works;
-        for (int i = 0; i < 80 && high - low > fine; ++i) {
-            double middle = low + (high - low) / 2.0;
-            const double secant = high - at_high * (high - low) / (at_high - at_low);
-            if (i % 3 != 2 && secant > low && secant < high)
-                middle = std::clamp(secant, low + fine / 2, high - fine / 2);
-            const double there = miss(steering(middle), heading);
-            if (there <= 0.0) {
-                high = middle;
-                at_high = there;
-                at_low /= 2.0;
-            } else {
-                low = middle;
-                at_low = there;
-                at_high /= 2.0;
-            }
-        }
-        return parks_around(steering(high), heading) ? high : start;
-    }
-
-    /// With the heading in the middle of what parks, in a slot in which looking at all headings finds it.
-    [[nodiscard]] MinSlot answer() {
-        double size = found_->size;
-        std::optional<double> heading = parks(size, true);
-        for (double more = fine; !heading && more < resolution; more *= 4.0) {
-            size = found_->size + more;
-            heading = parks(size, true);
-        }
-        if (!heading) heading = found_->heading;
-        return sought_ == Sought::length ? MinSlot{size, given_, *heading} : MinSlot{given_, size, *heading};
-    }
-
-    const Car& car_;
-    Sought sought_;
-    double given_;
-    const MinSlotOptions& options_;
-    double least_ = 0.0;     ///< what holds the car [m]
-    double most_ = 0.0;      ///< where the search begins [m]
-    bool hopeless_ = false;  ///< the given dimension does not hold the car
-    int changes_ = 0;
-    std::optional<Found> found_;  ///< a slot that parks
-};
-
-void check(const MinSlotOptions& options) {
-    check_between("smallest range", options.min_range, 0.0, 1.5707963267948966, " rad");
-    check_between("extra length to search", options.longest, 0.0, 1e6, " m");
-    check_between("extra width to search", options.widest, 0.0, 1e6, " m");
+void check_fewest(const MinSlotOptions& options) {
+    check_between("maximum of direction changes", options.max_changes, 0.0, limits::most_changes_fewest, "");
+    check_between("precision", options.precision, limits::finest, limits::longest, " m");
+    check_between("resolution", options.resolution, 0.0, limits::longest, " m");
+    if (options.min_range > 0.0)
+        throw Error("a smallest range of headings is asked for, but fewest has no headings; leave it out");
+    if (options.sought == Sought::width && options.parked.curb < std::numeric_limits<double>::infinity())
+        throw Error(
+            "the narrowest slot over all maneuvers is asked for with a distance from the curb that counts as parked, "
+            "but then a wider slot can be harder and nothing be proved; leave the distance out, or ask for a length");
 }
 
 }  // namespace
 
-std::vector<std::optional<MinSlot>> smallest_slots(const Car& car, Sought sought, double given,
-                                                   const std::vector<int>& max_changes, const MinSlotOptions& options,
-                                                   const std::vector<std::optional<MinSlot>>& neighbours) {
-    check(options);
-    check_between(sought == Sought::length ? "slot width" : "slot length", given, 1e-6, 1e6, " m");
-    for (const int changes : max_changes) check(MaxSteerOptions{changes, options.driving});
-    SlotSearch search(car, sought, given, options);
-    std::vector<std::optional<MinSlot>> slots;
-    for (std::size_t i = 0; i < max_changes.size(); ++i) {
-        std::optional<double> heading;
-        if (i < neighbours.size() && neighbours[i]) heading = neighbours[i]->entry_heading;
-        slots.push_back(search.smallest(max_changes[i], heading));
+MinSlot min_slot(const Car& car, double given, const MinSlotOptions& options) {
+    detail::check(options, given);
+    if (options.strategy == Strategy::max_steer)
+        return detail::smallest_slots(car, given, {options.max_changes}, options).front();
+    check_fewest(options);
+    std::optional<double> known;
+    // The paper's strategy is a start.
+    if (options.driving.enter == Enter::backward && detail::is_plain(car, given, options)) {
+        const MinSlot found = detail::smallest_slots(car, given, {options.max_changes}, options).front();
+        if (!found.cancelled) known = found.size(options.sought);
     }
-    double clear = 0.0;
-    for (std::size_t i = max_changes.size(); i-- > 0;) {
-        slots[i] = search.smallest_above(clear, max_changes[i], slots[i]);
-        clear = slots[i] ? search.size_of(*slots[i]) : std::numeric_limits<double>::infinity();
-    }
-    return slots;
+    return detail::smallest_slot(car, given, options, known);
 }
 
-}  // namespace detail
-
-std::optional<MinSlot> min_length(const Car& car, double width, const MinSlotOptions& options) {
-    return detail::smallest_slots(car, detail::Sought::length, width, {options.max_changes}, options).front();
-}
-
-std::optional<MinSlot> min_width(const Car& car, double length, const MinSlotOptions& options) {
-    return detail::smallest_slots(car, detail::Sought::width, length, {options.max_changes}, options).front();
-}
+std::string_view to_string(Sought sought) { return sought == Sought::length ? "length" : "width"; }
 
 }  // namespace snug

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "all_maneuvers/outer_sets.hpp"
 #include "all_maneuvers/park_search.hpp"
 #include "contact/place_contact.hpp"
 #include "model/angles.hpp"
@@ -31,6 +35,45 @@ void check(const ParkOptions& options) {
     check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
 }
 
+std::string with_article(const Place& place, std::size_t obstacle) {
+    return (place.obstacles()[obstacle].name.empty() ? "" : "the ") + place.name_of(obstacle);
+}
+
+/// A way in the chart, driven from where the car stands.
+Maneuver in_world(const Car& car, const Pose& start, const std::vector<detail::Path>& way) {
+    Maneuver maneuver{car, {}};
+    Pose at = start;
+    for (const detail::Path& piece : way) {
+        Move move;
+        move.direction = piece.way > 0.0 ? Direction::forward : Direction::backward;
+        // Full steering is the car's own angle, to the bit.
+        move.steering_angle = piece.curvature == 0.0 ? 0.0 : angles::atan(car.wheelbase() * piece.curvature);
+        if (std::abs(std::abs(piece.curvature) * car.turning_radius() - 1.0) < 1e-12)
+            move.steering_angle = piece.curvature > 0.0 ? car.max_steer() : -car.max_steer();
+        move.length = piece.length;
+        move.start = at;
+        move.end = at = drive(car, at, move.direction, move.steering_angle, move.length);
+        maneuver.moves.push_back(move);
+    }
+    return maneuver;
+}
+
+ParkStop nearest_at(const Car& car, const Place& place, const Pose& pose, double clearance) {
+    const std::vector<PlaceGap> all = gaps(car, place, pose, clearance);
+    const auto nearest = std::min_element(all.begin(), all.end(), [](const PlaceGap& one, const PlaceGap& other) {
+        return one.distance < other.distance;
+    });
+    return {static_cast<std::size_t>(nearest - all.begin()), *nearest};
+}
+
+/// What a car is nearest to at the end of each move.
+std::vector<ParkStop> stops_of(const Maneuver& maneuver, const Place& place, double clearance) {
+    std::vector<ParkStop> stops;
+    if (place.obstacles().empty()) return stops;
+    for (const Move& move : maneuver.moves) stops.push_back(nearest_at(maneuver.car, place, move.end, clearance));
+    return stops;
+}
+
 void check_start(const Place& place, const ChartPlace& here) {
     for (const HalfPlane& edge : here.region) {
         const double out = edge.normal.x * here.start.x + edge.normal.y * here.start.y - edge.offset;
@@ -42,12 +85,42 @@ void check_start(const Place& place, const ChartPlace& here) {
         const ChartPlace::Solid& solid = here.solids[i];
         const double deep = detail::overlap(detail::placed(here.shapes[solid.stops], here.start), solid.corners);
         if (!(deep > touch)) continue;
-        const std::size_t obstacle = place.pieces()[i].obstacle;
-        const std::string& name = place.obstacles()[obstacle].name;
-        throw Error("the car starts in contact with " +
-                    (name.empty() ? "obstacle [" + std::to_string(obstacle) + "]" : "the " + name) + ", " +
+        throw Error("the car starts in contact with " + with_article(place, place.pieces()[i].obstacle) + ", " +
                     spelled(deep) + " m deep; move it away");
     }
+}
+
+bool holds_nothing(const Limits& limits) {
+    for (const Layer& layer : limits)
+        for (std::size_t i = 0; i < layer.low.size(); ++i)
+            if (layer.low[i] <= layer.high[i]) return false;
+    return true;
+}
+
+/// Throws Error when the car would have room to park if it were not for the obstacles: then nobody meant the goal to be there.
+/// (A clearance that leaves no room is another matter.)
+void check_goal(const Car& car, const Place& place, const Pose& start, double h) {
+    Chart chart;
+    ChartPlace here = chart_place(car, place, start, 0.0, chart);
+    const auto room = [&] { return !holds_nothing(OuterLattice(here, h, h, nullptr, [] {}).parked()); };
+    if (room()) return;
+    here.solids.clear();
+    if (!room()) return;
+    Pose goal;
+    if (const auto* inside = std::get_if<ParkedInside>(&place.parked())) {
+        const auto count = static_cast<double>(inside->corners.size());
+        const double ahead = (car.rear() - car.front()) / 2.0;
+        goal = {ahead * angles::cos(inside->heading), ahead * angles::sin(inside->heading), inside->heading};
+        for (const Point& corner : inside->corners) {
+            goal.x += corner.x / count;
+            goal.y += corner.y / count;
+        }
+    } else {
+        goal = std::get<ParkedAt>(place.parked()).pose;
+    }
+    const auto [covers, gap] = nearest_at(car, place, goal, 0.0);
+    throw Error("the goal is covered by " + with_article(place, covers) +
+                (gap.distance < 0.0 ? ", " + spelled(-gap.distance) + " m deep" : "") + "; move one of them");
 }
 
 }  // namespace
@@ -64,13 +137,13 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     question.roomiest = options.roomiest;
     if (std::abs(question.place.start.heading) > half_turn * 75.0 / 180.0)
         throw Error("the car's heading and the parked one are " +
-                    spelled(std::abs(question.place.start.heading) * 2.0 * 180.0 / half_turn) +
+                    spelled(std::round(std::abs(question.place.start.heading) * 3600.0 / half_turn) / 10.0) +
                     " degrees apart, but at most 150 are supported; turn the car first");
     check_start(place, question.place);
     const double reach = std::max(std::abs(question.place.y_min), std::abs(question.place.y_max));
     if (reach > farthest_y || question.place.radius > 40.0)
-        throw Error("the region reaches " + spelled(reach) + " m across, but at most " + spelled(farthest_y) +
-                    " are supported; name a smaller one");
+        throw Error("the region reaches " + spelled(std::round(reach)) + " m to either side, but at most " +
+                    spelled(farthest_y) + " are supported; name a smaller one");
 
     const double length = car.length();
     question.finest = options.resolution > 0.0 ? options.resolution : usual_part * length;
@@ -81,8 +154,10 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     const double cells = (question.place.x_max - question.place.x_min) * 4.0 * question.place.radius /
                          (question.coarsest * question.coarsest);
     if (cells > most_cells)
-        throw Error("the region is " + spelled(question.place.x_max - question.place.x_min) +
-                    " m long, too long for this car; name a smaller one");
+        throw Error("the region is " + spelled(std::round(question.place.x_max - question.place.x_min)) +
+                    " m long: at the resolution of " + spelled(question.coarsest) + " m that would take " +
+                    spelled(std::round(cells / 1e6)) + " million cells, but at most " + spelled(most_cells / 1e6) +
+                    " million are supported; name a smaller region, or a coarser resolution");
 
     ParkBounds bounds;
     bool stopped = false;
@@ -99,6 +174,7 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
         stopped = true;  // as far as it got
     }
 
+    if (bounds.impossible) check_goal(car, place, start, question.coarsest);
     ParkAnswer answer;
     answer.cancelled = stopped;
     answer.direction_changes = bounds.upper;
@@ -107,21 +183,10 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     answer.proved = bounds.meet() || bounds.lower > options.max_changes;
     answer.spacing = bounds.spacing;
     if (!bounds.upper) return answer;
-    Maneuver maneuver{car, {}};
-    Pose at = start;
-    for (const detail::Path& piece : bounds.way) {
-        Move move;
-        move.direction = piece.way > 0.0 ? Direction::forward : Direction::backward;
-        // Full steering is the car's own angle, to the bit.
-        move.steering_angle = piece.curvature == 0.0 ? 0.0 : angles::atan(car.wheelbase() * piece.curvature);
-        if (std::abs(std::abs(piece.curvature) * car.turning_radius() - 1.0) < 1e-12)
-            move.steering_angle = piece.curvature > 0.0 ? car.max_steer() : -car.max_steer();
-        move.length = piece.length;
-        move.start = at;
-        move.end = at = drive(car, at, move.direction, move.steering_angle, move.length);
-        maneuver.moves.push_back(move);
-    }
+    Maneuver maneuver = in_world(car, start, bounds.way);
+    answer.stops = stops_of(maneuver, place, options.clearance);
     answer.maneuver = std::move(maneuver);
+    for (const std::vector<detail::Path>& way : bounds.others) answer.alternatives.push_back(in_world(car, start, way));
     return answer;
 }
 

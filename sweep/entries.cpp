@@ -46,7 +46,7 @@ std::vector<T> slice(const std::vector<T>& all, std::size_t first, std::size_t l
 }  // namespace
 
 std::vector<EntryRow> entries(const Car& car, const std::vector<Slot>& slots, const EntryOptions& options,
-                              const SweepOptions& sweep) {
+                              const SweepOptions& sweep, const std::optional<Baseline>& baseline) {
     std::vector<EntryRow> rows(slots.size());
     const bool finished =
         in_pieces(slots.size(), 8, sweep, [&](std::size_t first, std::size_t last, const auto& go_on) {
@@ -54,7 +54,7 @@ std::vector<EntryRow> entries(const Car& car, const std::vector<Slot>& slots, co
             each.prove = false;
             each.progress = [&](double) { return go_on(); };
             for (std::size_t i = first; i < last; ++i) {
-                const Answer answer = entry(car, slots[i], each);
+                const Answer answer = baseline ? entry(car, slots[i], each, *baseline) : entry(car, slots[i], each);
                 if (answer.cancelled) return;
                 if (!answer.direction_changes) continue;
                 rows[i].direction_changes = answer.direction_changes;

@@ -1,29 +1,46 @@
 #include "arguments.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 
 namespace snug::python {
 
+namespace {
+
+/// Each with the word the library has for it.
+template <class Enumeration>
+std::vector<std::pair<std::string_view, Enumeration>> spelled(std::initializer_list<Enumeration> values) {
+    std::vector<std::pair<std::string_view, Enumeration>> all;
+    for (const Enumeration value : values) all.emplace_back(to_string(value), value);
+    return all;
+}
+
+}  // namespace
+
 template <>
 std::vector<std::pair<std::string_view, Side>> words() {
-    return {{"right", Side::right}, {"left", Side::left}};
+    return spelled<Side>({Side::right, Side::left});
 }
 template <>
 std::vector<std::pair<std::string_view, Curb>> words() {
-    return {{"high", Curb::high}, {"low", Curb::low}};
+    return spelled<Curb>({Curb::high, Curb::low});
 }
 template <>
 std::vector<std::pair<std::string_view, Direction>> words() {
-    return {{"backward", Direction::backward}, {"forward", Direction::forward}};
+    return spelled<Direction>({Direction::backward, Direction::forward});
 }
 template <>
 std::vector<std::pair<std::string_view, Enter>> words() {
-    return {{"backward", Enter::backward}, {"forward", Enter::forward}};
+    return spelled<Enter>({Enter::backward, Enter::forward});
 }
 template <>
 std::vector<std::pair<std::string_view, StopRule>> words() {
-    return {{"inside", StopRule::inside}, {"contact", StopRule::contact}};
+    return spelled<StopRule>({StopRule::inside, StopRule::contact});
+}
+template <>
+std::vector<std::pair<std::string_view, Strategy>> words() {
+    return spelled<Strategy>({Strategy::max_steer, Strategy::fewest});
 }
 template <>
 std::vector<std::pair<std::string_view, Outcome>> words() {
@@ -120,8 +137,8 @@ Pose as_pose(py::handle value, const std::string& name) {
     return {n[0], n[1], n[2]};
 }
 
-Strategy as_strategy(py::handle value, const std::string& name) {
-    if (value.is_none() || py::isinstance<MaxSteer>(value)) return MaxSteer{};
+MaybeBaseline as_baseline(py::handle value, const std::string& name) {
+    if (value.is_none() || py::isinstance<MaxSteer>(value)) return std::nullopt;
     if (py::isinstance<Stepping>(value)) return value.cast<Stepping>();
     if (py::isinstance<ReversedTrials>(value)) return value.cast<ReversedTrials>();
     if (py::isinstance<ParallelTrials>(value)) return value.cast<ParallelTrials>();

@@ -20,6 +20,11 @@ namespace snug::python {
 
 namespace py = pybind11;
 
+/// Full steering, where a baseline could be named.
+struct MaxSteer {};
+/// None: the solver.
+using MaybeBaseline = std::optional<Baseline>;
+
 /// The words Python says for the values of an enumeration.
 template <class Enumeration>
 std::vector<std::pair<std::string_view, Enumeration>> words();
@@ -33,6 +38,8 @@ template <>
 std::vector<std::pair<std::string_view, Enter>> words();
 template <>
 std::vector<std::pair<std::string_view, StopRule>> words();
+template <>
+std::vector<std::pair<std::string_view, Strategy>> words();
 template <>
 std::vector<std::pair<std::string_view, Outcome>> words();
 template <>
@@ -55,7 +62,7 @@ int as_count(py::handle value, const std::string& name);
 std::string as_text(py::handle value, const std::string& name);
 Point as_point(py::handle value, const std::string& name);
 Pose as_pose(py::handle value, const std::string& name);
-Strategy as_strategy(py::handle value, const std::string& name);
+MaybeBaseline as_baseline(py::handle value, const std::string& name);
 
 /// An array of numbers (or of whole numbers) from anything NumPy makes one of; the original is left alone.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -70,7 +77,9 @@ struct IsOptional<std::optional<T>> : std::true_type {};
 
 template <class T>
 T as(py::handle value, const std::string& name) {
-    if constexpr (IsOptional<T>::value) {
+    if constexpr (std::is_same_v<T, MaybeBaseline>) {
+        return as_baseline(value, name);
+    } else if constexpr (IsOptional<T>::value) {
         if (value.is_none()) return std::nullopt;
         return as<typename T::value_type>(value, name);
     } else if constexpr (std::is_same_v<T, bool>) {
@@ -86,8 +95,6 @@ T as(py::handle value, const std::string& name) {
         return as_point(value, name);
     } else if constexpr (std::is_same_v<T, Pose>) {
         return as_pose(value, name);
-    } else if constexpr (std::is_same_v<T, Strategy>) {
-        return as_strategy(value, name);
     } else if constexpr (std::is_same_v<T, Numbers>) {
         return as_numbers(value, name);
     } else if constexpr (std::is_same_v<T, Counts>) {
@@ -135,6 +142,36 @@ private:
     std::size_t positional_ = 0;
 };
 
+/// The parameters that questions share, and where Arguments reads them.
+inline const std::string driving_parameters = "clearance=0.0, curb_clearance=None, enter='backward'";
+inline const std::string parked_parameters = "parked_heading=None, parked_curb=None";
+inline const std::string neighbour_parameters = "front_setback=0.0, rear_setback=0.0, curb='high'";
+inline const std::string conditions = driving_parameters + ", " + parked_parameters;
+/// What they mean.
+inline const std::string conditions_meaning =
+    "`clearance` grows the frame for contacts and for the entry position [m], at the curb `curb_clearance` in its "
+    "place;\n"
+    "`enter` is 'backward', tail first, or 'forward'. Parked is the whole frame inside the slot and, where they are\n"
+    "given, at most `parked_heading` off parallel [rad] and its nearest point at most `parked_curb` from the curb "
+    "[m].\n";
+inline const std::string neighbours_meaning =
+    "The neighbours begin `front_setback` and `rear_setback` deeper than the road's edge [m]; a 'low' `curb` stops "
+    "the\n"
+    "wheels only, 'high' the whole car.\n";
+
+/// Of min_slot() and min_slots(), which read them alike.
+inline const std::string min_slot_parameters =
+    "min_range=0.0, " + conditions + ", " + neighbour_parameters +
+    ", longest=4.0, widest=4.0, precision=0.001, resolution=0.0, progress=None)";
+inline const std::string min_slot_meaning =
+    "With 'max-steer', full steering, the slot is the smallest for which headings over a range at least `min_range` "
+    "wide\n"
+    "[rad] park; with 'fewest', over all maneuvers, two sizes are proved, `precision` apart [m] as far as the "
+    "`resolution`\n"
+    "of the lattice lets them [m], 0 a two-thousandth of the car's length. `longest` and `widest` are how much more "
+    "than\n"
+    "what holds the car is looked at [m].\n";
+
 /// One call's arguments.
 class Arguments {
 public:
@@ -151,6 +188,34 @@ public:
         const py::handle given = values_[signature_.index(name)];
         if (given) value = as<T>(given, name);
     }
+    /// The conditions: how the car is driven, and what counts as parked.
+    void read_driving(Driving& driving) const {
+        read("clearance", driving.clearance);
+        read("curb_clearance", driving.curb_clearance);
+        read("enter", driving.enter);
+    }
+    template <class Options>
+    void read_conditions(Options& options) const {
+        read_driving(options.driving);
+        std::optional<double> limit;
+        read("parked_heading", limit);
+        if (limit) options.parked.heading = *limit;
+        limit.reset();
+        read("parked_curb", limit);
+        if (limit) options.parked.curb = *limit;
+    }
+    /// Of a SlotDimensions or a MinSlotOptions.
+    template <class Beside>
+    void read_neighbours(Beside& beside) const {
+        read("front_setback", beside.front_setback);
+        read("rear_setback", beside.rear_setback);
+        read("curb", beside.curb);
+    }
+    /// `strategy`: what answers in the place of the solver.
+    [[nodiscard]] MaybeBaseline baseline() const {
+        const py::handle given = values_[signature_.index("strategy")];
+        return given ? as_baseline(given, "strategy") : std::nullopt;
+    }
     /// A callable or None.
     [[nodiscard]] py::object callback(const std::string& name) const;
 
@@ -158,6 +223,18 @@ private:
     const Signature& signature_;
     std::vector<py::handle> values_;
 };
+
+inline MinSlotOptions min_slot_options(const Arguments& given) {
+    MinSlotOptions options;
+    given.read("min_range", options.min_range);
+    given.read_conditions(options);
+    given.read_neighbours(options);
+    given.read("longest", options.longest);
+    given.read("widest", options.widest);
+    given.read("precision", options.precision);
+    given.read("resolution", options.resolution);
+    return options;
+}
 
 /// A function of the module: `body` takes the arguments.
 template <class Body>

@@ -7,6 +7,8 @@
 #include "module.hpp"
 #include "progress.hpp"
 #include "sentences/check.hpp"
+#include "snug/limits.hpp"
+#include "snug/sweep.hpp"
 
 namespace snug::python {
 
@@ -24,6 +26,7 @@ struct EntryFields {
 struct MinSlotFields {
     double length = none;
     double width = none;
+    double lower = none;
     double entry_heading = none;
 };
 struct WaypointFields {
@@ -33,10 +36,6 @@ struct WaypointFields {
     std::int64_t direction = 0;
     double curvature = 0.0;
     double distance = 0.0;
-};
-struct FewestLengthFields {
-    double length = none;
-    double length_lower = none;
 };
 
 using Shape = std::vector<py::ssize_t>;
@@ -80,7 +79,9 @@ void check_all(const std::string& name, const Numbers& numbers, double low, doub
                           unit);
 }
 
-void check_sizes(const std::string& name, const Numbers& numbers) { check_all(name, numbers, 1e-6, 1e6, " m"); }
+void check_sizes(const std::string& name, const Numbers& numbers) {
+    check_all(name, numbers, limits::shortest, limits::longest, " m");
+}
 
 void check_counts(const Counts& counts, int most) {
     for (py::ssize_t i = 0; i < counts.size(); ++i)
@@ -109,11 +110,16 @@ std::vector<Numbers> broadcast(const std::vector<std::pair<std::string, Numbers>
     }
 }
 
-std::vector<Slot> slots_of(const Numbers& lengths, const Numbers& widths) {
+std::vector<Slot> slots_of(const Numbers& lengths, const Numbers& widths, const Arguments& given) {
+    SlotDimensions slot;
+    given.read_neighbours(slot);
     std::vector<Slot> slots;
     slots.reserve(static_cast<std::size_t>(lengths.size()));
-    for (py::ssize_t i = 0; i < lengths.size(); ++i)
-        slots.emplace_back(SlotDimensions{.length = lengths.data()[i], .width = widths.data()[i]});
+    for (py::ssize_t i = 0; i < lengths.size(); ++i) {
+        slot.length = lengths.data()[i];
+        slot.width = widths.data()[i];
+        slots.emplace_back(slot);
+    }
     return slots;
 }
 
@@ -134,13 +140,13 @@ py::object entries(const Arguments& given) {
     EntryOptions options;
     given.read("max_changes", options.max_changes);
     given.read("min_range", options.min_range);
-    given.read("clearance", options.driving.clearance);
-    given.read("enter", options.driving.enter);
-    given.read("strategy", options.strategy);
+    given.read_conditions(options);
+    const auto baseline = given.baseline();
     SweepOptions sweep = sweep_options(given);
     Progress progress(given.callback("progress"));
-    const std::vector<Slot> slots = slots_of(sizes[0], sizes[1]);
-    const auto rows = interruptible(progress, sweep, [&] { return snug::entries(car, slots, options, sweep); });
+    const std::vector<Slot> slots = slots_of(sizes[0], sizes[1], given);
+    const auto rows =
+        interruptible(progress, sweep, [&] { return snug::entries(car, slots, options, sweep, baseline); });
     if (rows.size() < slots.size()) return py::none();
     std::vector<EntryFields> all(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -158,11 +164,10 @@ py::object entries(const Arguments& given) {
 py::object counts_from(const Arguments& given) {
     const auto car = given.get<Car>("car");
     auto headings = given.get<Numbers>("headings");
-    check_all("headings", headings, 0.0, 1.5707963267948966, " rad");
+    check_all("headings", headings, 0.0, limits::quarter_turn, " rad");
     MaxSteerOptions options;
     given.read("max_changes", options.max_changes);
-    given.read("clearance", options.driving.clearance);
-    given.read("enter", options.driving.enter);
+    given.read_conditions(options);
     SweepOptions sweep = sweep_options(given);
     Progress progress(given.callback("progress"));
     const auto slot = given.get<py::object>("slot");
@@ -181,69 +186,57 @@ py::object counts_from(const Arguments& given) {
         const auto together = broadcast({{"lengths", lengths}, {"widths", widths}, {"headings", headings}});
         headings = together[2];
         const std::vector<double> all = values_of(headings);
-        const std::vector<Slot> slots = slots_of(together[0], together[1]);
+        const std::vector<Slot> slots = slots_of(together[0], together[1], given);
         counts = interruptible(progress, sweep, [&] { return direction_changes(car, slots, all, options, sweep); });
     }
     if (counts.size() < static_cast<std::size_t>(headings.size())) return py::none();
     return shaped(counts, shape_of(headings));
 }
 
+/// Which sizes are given: the name of the parameter, and its array.
+std::pair<std::string, Numbers> given_sizes(const Arguments& given) {
+    py::object widths = py::none();
+    py::object lengths = py::none();
+    given.read("widths", widths);
+    given.read("lengths", lengths);
+    if (widths.is_none() == lengths.is_none()) throw Error("give either the widths or the lengths of the slots");
+    const std::string name = lengths.is_none() ? "widths" : "lengths";
+    return {name, as_numbers(lengths.is_none() ? widths : lengths, name)};
+}
+
 /// A row for every count and size: the shape is that of the counts followed by that of the sizes.
-template <class Sweep>
-py::object min_slots(const Arguments& given, const char* name, const Sweep& ask) {
+py::object min_slots(const Arguments& given) {
     const auto car = given.get<Car>("car");
-    const auto sizes = given.get<Numbers>(name);
+    const auto [name, sizes] = given_sizes(given);
     const auto counts = given.get<Counts>("max_changes");
     check_sizes(name, sizes);
-    check_counts(counts, 100000);
-    MinSlotOptions options;
-    given.read("min_range", options.min_range);
-    given.read("clearance", options.driving.clearance);
-    given.read("enter", options.driving.enter);
-    given.read("longest", options.longest);
-    given.read("widest", options.widest);
+    MinSlotOptions options = min_slot_options(given);
+    options.sought = name == "widths" ? Sought::length : Sought::width;
     std::optional<Stepping> steps;
-    given.read("stepping", steps);
+    py::object strategy = py::str(std::string(to_string(Strategy::max_steer)));
+    given.read("strategy", strategy);
+    if (py::isinstance<Stepping>(strategy)) {
+        steps = strategy.cast<Stepping>();
+    } else {
+        options.strategy = as<Strategy>(strategy, "strategy");
+    }
+    check_counts(counts, options.strategy == Strategy::fewest ? limits::most_changes_fewest : limits::most_changes);
     double step = 0.001;
     given.read("step", step);
     SweepOptions sweep = sweep_options(given);
     Progress progress(given.callback("progress"));
     const std::vector<double> all_sizes = values_of(sizes);
     const std::vector<int> all_counts = values_of(counts);
-    const auto rows =
-        interruptible(progress, sweep, [&] { return ask(car, all_sizes, all_counts, steps, step, options, sweep); });
+    const auto rows = interruptible(progress, sweep, [&] {
+        return steps ? min_slots_by_stepping(car, all_sizes, all_counts, *steps, step, options, sweep)
+                     : snug::min_slots(car, all_sizes, all_counts, options, sweep);
+    });
     if (rows.size() < all_sizes.size() * all_counts.size()) return py::none();
     std::vector<MinSlotFields> all(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].slot) all[i] = {rows[i].slot->length, rows[i].slot->width, rows[i].slot->entry_heading};
+        all[i] = {rows[i].length.value_or(none), rows[i].width.value_or(none), rows[i].lower,
+                  rows[i].entry_heading.value_or(none)};
     return shaped(all, joined(shape_of(counts), shape_of(sizes)));
-}
-
-py::object min_lengths_of_all_maneuvers(const Arguments& given) {
-    const auto car = given.get<Car>("car");
-    const auto widths = given.get<Numbers>("widths");
-    const auto counts = given.get<Counts>("max_changes");
-    check_sizes("widths", widths);
-    check_counts(counts, 1000);
-    FewestLengthOptions options;
-    given.read("clearance", options.driving.clearance);
-    given.read("enter", options.driving.enter);
-    given.read("longest", options.longest);
-    given.read("precision", options.precision);
-    given.read("resolution", options.resolution);
-    SweepOptions sweep = sweep_options(given);
-    Progress progress(given.callback("progress"));
-    const std::vector<double> all_widths = values_of(widths);
-    const std::vector<int> all_counts = values_of(counts);
-    const auto rows =
-        interruptible(progress, sweep, [&] { return min_lengths_fewest(car, all_widths, all_counts, options, sweep); });
-    if (rows.size() < all_widths.size() * all_counts.size()) return py::none();
-    std::vector<FewestLengthFields> all(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {  // there the widths are outside
-        const std::size_t at = i % all_counts.size() * all_widths.size() + i / all_counts.size();
-        all[at] = {rows[i].found.length.value_or(none), rows[i].found.length_lower};
-    }
-    return shaped(all, joined(shape_of(counts), shape_of(widths)));
 }
 
 py::object waypoints_of(const Arguments& given) {
@@ -260,8 +253,7 @@ py::object waypoints_of(const Arguments& given) {
 
 void define_arrays(py::module_& module) {
     PYBIND11_NUMPY_DTYPE(EntryFields, direction_changes, entry_heading, heading_min, heading_max);
-    PYBIND11_NUMPY_DTYPE(MinSlotFields, length, width, entry_heading);
-    PYBIND11_NUMPY_DTYPE(FewestLengthFields, length, length_lower);
+    PYBIND11_NUMPY_DTYPE(MinSlotFields, length, width, lower, entry_heading);
     PYBIND11_NUMPY_DTYPE(WaypointFields, x, y, heading, direction, curvature, distance);
 
     define(
@@ -276,63 +268,34 @@ void define_arrays(py::module_& module) {
         "False,\n"
         "so does the question: None.";
     define(module,
-           "entries(car, lengths, widths, *, max_changes=None, min_range=0.0, clearance=0.0, enter='backward', "
-           "strategy=None, threads=0, progress=None)",
+           "entries(car, lengths, widths, *, max_changes=None, min_range=0.0, " + conditions + ", " +
+               neighbour_parameters + ", strategy=None, threads=0, progress=None)",
            "What entry() answers for many slots, `lengths` and `widths` broadcast: a structured array with\n"
            "direction_changes (-1 where the car cannot park) and, of the widest range with so few, heading_min,\n"
            "heading_max and their middle entry_heading [rad] (NaN where there is none).\n\n" +
-               meaning,
+               meaning + "\n\n" + conditions_meaning + neighbours_meaning,
            entries);
     define(
         module,
-        "direction_changes(car, slot, headings, *, max_changes=200, clearance=0.0, enter='backward', threads=0, "
-        "progress=None)",
+        "direction_changes(car, slot, headings, *, max_changes=200, " + conditions + ", threads=0, progress=None)",
         "For each entry heading [rad] in [0, pi/2] the number of direction changes after which max_steer() parks, or\n"
         "-1 where it does not. `slot` is a Slot, or a tuple of arrays (lengths, widths) that are broadcast with the\n"
         "headings.\n\n" +
-            meaning,
+            meaning + "\n\n" + conditions_meaning,
         counts_from);
 
-    const std::string options =
-        "min_range=0.0, clearance=0.0, enter='backward', longest=4.0, widest=4.0, stepping=None, step=0.001, "
-        "threads=0, "
-        "progress=None)";
-    const std::string rows =
-        "A structured array with length, width [m] and entry_heading [rad], NaN where nothing will do; its shape is "
-        "that\n"
-        "of `max_changes` followed by that of the sizes. With a Stepping it is the paper's own loop (section 3.3): "
-        "slots\n"
-        "larger and larger by `step` [m], Algorithm 1 in each, thousands of times slower.\n\n" +
-        meaning;
-    define(
-        module, "min_lengths(car, widths, max_changes, *, " + options,
-        "min_length() for every width and every maximum of direction changes.\n\n" + rows, [](const Arguments& given) {
-            return min_slots(given, "widths",
-                             [](const Car& car, const auto& sizes, const auto& counts, const auto& steps, double step,
-                                const MinSlotOptions& asked, const SweepOptions& sweep) {
-                                 return steps ? min_lengths_by_stepping(car, sizes, counts, *steps, step, asked, sweep)
-                                              : min_lengths(car, sizes, counts, asked, sweep);
-                             });
-        });
-    define(
-        module, "min_widths(car, lengths, max_changes, *, " + options,
-        "min_width() for every length and every maximum of direction changes.\n\n" + rows, [](const Arguments& given) {
-            return min_slots(given, "lengths",
-                             [](const Car& car, const auto& sizes, const auto& counts, const auto& steps, double step,
-                                const MinSlotOptions& asked, const SweepOptions& sweep) {
-                                 return steps ? min_widths_by_stepping(car, sizes, counts, *steps, step, asked, sweep)
-                                              : min_widths(car, sizes, counts, asked, sweep);
-                             });
-        });
     define(
         module,
-        "min_lengths_fewest(car, widths, max_changes, *, clearance=0.0, enter='backward', longest=4.0, "
-        "precision=0.001, resolution=0.0, threads=0, progress=None)",
-        "min_length_fewest() for every width and every maximum of direction changes: a structured array with length\n"
-        "(NaN where none is found) and length_lower [m]; its shape is that of `max_changes` followed by that of\n"
-        "`widths`.\n\n" +
-            meaning,
-        min_lengths_of_all_maneuvers);
+        "min_slots(car, max_changes, *, widths=None, lengths=None, strategy='max-steer', step=0.001, threads=0, " +
+            min_slot_parameters,
+        "min_slot() for every maximum of direction changes and every one of the `widths`, or of the `lengths`: a\n"
+        "structured array with length, width, lower [m] and entry_heading [rad], NaN where nothing will do; its shape\n"
+        "is that of `max_changes` followed by that of the sizes.\n\n" +
+            min_slot_meaning +
+            "With a Stepping as `strategy` it is the paper's own loop (section 3.3): slots larger and larger by `step` "
+            "[m],\nAlgorithm 1 in each, thousands of times slower.\n\n" +
+            meaning + "\n\n" + conditions_meaning + neighbours_meaning,
+        min_slots);
 }
 
 }  // namespace snug::python

@@ -12,10 +12,12 @@ namespace {
 MaxSteerOptions max_steer_options(const Arguments& given) {
     MaxSteerOptions options;
     given.read("max_changes", options.max_changes);
-    given.read("clearance", options.driving.clearance);
-    given.read("enter", options.driving.enter);
+    given.read_conditions(options);
     return options;
 }
+
+/// As max_steer_options() reads them.
+const std::string run_parameters = "*, max_changes=200, " + conditions + ")";
 
 void define_strategies(py::module_& module) {
     const Signature max_steer_signature("MaxSteer()");
@@ -93,10 +95,11 @@ void define_baselines(py::module_& module) {
             "maneuver", [](const MaxSteerRun& r) { return r.maneuver; },
             "The moves driven, however the run ended; none for 'no_entry'.")
         .finish();
-    define(module, "max_steer(car, slot, heading, *, max_changes=200, clearance=0.0, enter='backward')",
+    define(module, "max_steer(car, slot, heading, " + run_parameters,
            "Drives the paper's strategy, full steering until contact, from the entry position with that heading.\n\n"
            "`heading` [rad] in [0, pi/2] is measured from the parallel heading, positive with the nose (entering\n"
-           "'forward': the tail) away from the slot. Returns a MaxSteerRun.",
+           "'forward': the tail) away from the slot. Returns a MaxSteerRun.\n\n" +
+               conditions_meaning,
            [](const Arguments& given) {
                const auto car = given.get<Car>("car");
                const auto slot = given.get<Slot>("slot");
@@ -104,7 +107,7 @@ void define_baselines(py::module_& module) {
                const MaxSteerOptions options = max_steer_options(given);
                return released([&] { return max_steer(car, slot, heading, options); });
            });
-    define(module, "stepping(car, slot, heading, steps=None, *, max_changes=200, clearance=0.0, enter='backward')",
+    define(module, "stepping(car, slot, heading, steps=None, " + run_parameters,
            "Algorithm 1 of the paper from one entry heading [rad]; `steps` is a Stepping, None the default one.\n"
            "Returns a MaxSteerRun.",
            [](const Arguments& given) {
@@ -116,7 +119,7 @@ void define_baselines(py::module_& module) {
                const MaxSteerOptions options = max_steer_options(given);
                return released([&] { return stepping(car, slot, heading, steps.value_or(Stepping{}), options); });
            });
-    define(module, "reversed_trials(car, slot, trials=None, *, max_changes=200, clearance=0.0, enter='backward')",
+    define(module, "reversed_trials(car, slot, trials=None, " + run_parameters,
            "The parking maneuver of several reversed trials; None when the car does not get out of the slot within\n"
            "the allowed direction changes. `trials` is a ReversedTrials, None the default one.",
            [](const Arguments& given) {
@@ -127,7 +130,7 @@ void define_baselines(py::module_& module) {
                const MaxSteerOptions options = max_steer_options(given);
                return released([&] { return reversed_trials(car, slot, trials.value_or(ReversedTrials{}), options); });
            });
-    define(module, "parallel_trials(car, slot, trials=None, *, max_changes=200, clearance=0.0, enter='backward')",
+    define(module, "parallel_trials(car, slot, trials=None, " + run_parameters,
            "The parking maneuver of several parallel trials; None when the car does not get to its goal within the\n"
            "allowed direction changes. `trials` is a ParallelTrials, None the default one.",
            [](const Arguments& given) {
@@ -210,29 +213,30 @@ void define_entry(py::module_& module) {
             "spacing", [](const Answer& a) { return a.spacing; },
             "Of fewest() and leave(): of the finest lattice that was needed [m]; 0 if none was.")
         .finish();
-    define(
-        module,
-        "entry(car, slot, *, max_changes=None, min_range=0.0, clearance=0.0, enter='backward', strategy=None, "
-        "progress=None)",
-        "All entry headings in [0, pi/2] from which the car parks with the fewest direction changes (at most 200),\n"
-        "or with every count up to `max_changes`, as exact ranges, and one best maneuver. Returns an Answer.\n\n"
-        "`min_range` leaves out ranges of headings narrower than this [rad]; `clearance` grows the frame for\n"
-        "contacts and for the entry position [m]; `enter` is 'backward', tail first, or 'forward'; `strategy` is a\n"
-        "Stepping, ReversedTrials or ParallelTrials, None or MaxSteer for full steering until contact. `progress` is\n"
-        "told the part done (0 to 1) on long questions; returning False gives up.",
-        [](const Arguments& given) {
-            const auto car = given.get<Car>("car");
-            const auto slot = given.get<Slot>("slot");
-            EntryOptions options;
-            given.read("max_changes", options.max_changes);
-            given.read("min_range", options.min_range);
-            given.read("clearance", options.driving.clearance);
-            given.read("enter", options.driving.enter);
-            given.read("strategy", options.strategy);
-            Progress progress(given.callback("progress"));
-            options.progress = [&](double part) { return progress.tell(part); };
-            return interruptible(progress, [&] { return entry(car, slot, options); });
-        });
+    define(module,
+           "entry(car, slot, *, max_changes=None, min_range=0.0, " + conditions + ", strategy=None, progress=None)",
+           "All entry headings in [0, pi/2] from which the car parks with the fewest direction changes (at most 200),\n"
+           "or with every count up to `max_changes`, as exact ranges, and one best maneuver. Returns an Answer.\n\n"
+           "`min_range` leaves out ranges of headings narrower than this [rad]; `strategy` is a Stepping, "
+           "ReversedTrials or\n"
+           "ParallelTrials, None or MaxSteer for full steering until contact. `progress` is told the part done (0 to "
+           "1) on\n"
+           "long questions; returning False gives up. " +
+               conditions_meaning,
+           [](const Arguments& given) {
+               const auto car = given.get<Car>("car");
+               const auto slot = given.get<Slot>("slot");
+               EntryOptions options;
+               given.read("max_changes", options.max_changes);
+               given.read("min_range", options.min_range);
+               given.read_conditions(options);
+               const auto baseline = given.baseline();
+               Progress progress(given.callback("progress"));
+               options.progress = [&](double part) { return progress.tell(part); };
+               return interruptible(progress, [&] {
+                   return baseline ? entry(car, slot, options, *baseline) : entry(car, slot, options);
+               });
+           });
 
     Value<Shortfall>(module, "Shortfall", "How much a slot lacks to hold the car at all. [m]")
         .field(
@@ -240,62 +244,60 @@ void define_entry(py::module_& module) {
         .field(
             "width", [](const Shortfall& s) { return s.width; }, "[m], 0 if nothing")
         .finish();
-    define(module, "shortfall(car, slot, clearance=0.0)",
+    define(module, "shortfall(car, slot, " + driving_parameters + ")",
            "How much the slot lacks to hold the car at all, with the clearance it keeps from front, rear and curb.",
            [](const Arguments& given) {
-               double clearance = 0.0;
-               given.read("clearance", clearance);
-               return shortfall(given.get<Car>("car"), given.get<Slot>("slot"), clearance);
+               Driving driving;
+               given.read_driving(driving);
+               return shortfall(given.get<Car>("car"), given.get<Slot>("slot"), driving);
            });
 }
 
 void define_min_slot(py::module_& module) {
-    Value<MinSlot>(module, "MinSlot",
-                   "A slot that is just large enough, and an entry heading from which the car parks.")
+    Value<MinSlot>(module, "MinSlot", "A slot that is just large enough, as far as it is known.")
         .field(
-            "length", [](const MinSlot& s) { return s.length; }, "[m]")
+            "max_changes", [](const MinSlot& s) { return s.max_changes; }, "Direction changes allowed.")
         .field(
-            "width", [](const MinSlot& s) { return s.width; }, "[m]")
+            "length", [](const MinSlot& s) { return s.length; },
+            "[m]; what was asked for is None where nothing within the limits is found to do.")
         .field(
-            "entry_heading", [](const MinSlot& s) { return s.entry_heading; }, "[rad]")
+            "width", [](const MinSlot& s) { return s.width; }, "[m], likewise.")
+        .field(
+            "lower", [](const MinSlot& s) { return s.lower; },
+            "Of what was asked for: 'fewest' proves that nothing smaller will do [m].")
+        .field(
+            "entry_heading", [](const MinSlot& s) { return s.entry_heading; },
+            "From which the car parks in it with full steering [rad], or None.")
+        .field(
+            "cancelled", [](const MinSlot& s) { return s.cancelled; }, "The progress callback gave up.")
         .finish();
-    const auto options_of = [](const Arguments& given) {
-        MinSlotOptions options;
-        given.read("max_changes", options.max_changes);
-        given.read("min_range", options.min_range);
-        given.read("clearance", options.driving.clearance);
-        given.read("enter", options.driving.enter);
-        given.read("longest", options.longest);
-        given.read("widest", options.widest);
-        return options;
-    };
-    const std::string parameters =
-        "*, max_changes=0, min_range=0.0, clearance=0.0, enter='backward', longest=4.0, widest=4.0)";
-    const std::string meaning = "`longest` and `widest` are how much more than the car's is looked at [m].";
-    define(module, "min_length(car, width, " + parameters,
-           "The shortest slot of the given width [m] in which the car parks with full steering and at most\n"
-           "`max_changes` direction changes, as a MinSlot; None when no length will do. " +
-               meaning,
-           [options_of](const Arguments& given) {
-               const auto car = given.get<Car>("car");
-               const auto width = given.get<double>("width");
-               const MinSlotOptions options = options_of(given);
-               return released([&] { return min_length(car, width, options); });
-           });
-    define(module, "min_width(car, length, " + parameters,
-           "The narrowest slot of the given length [m], likewise. " + meaning, [options_of](const Arguments& given) {
-               const auto car = given.get<Car>("car");
-               const auto length = given.get<double>("length");
-               const MinSlotOptions options = options_of(given);
-               return released([&] { return min_width(car, length, options); });
-           });
+    define(
+        module, "min_slot(car, *, width=None, length=None, max_changes=0, strategy='max-steer', " + min_slot_parameters,
+        "The shortest slot of the given `width`, or the narrowest of the given `length` [m], in which the car parks "
+        "with\n"
+        "at most `max_changes` direction changes, as a MinSlot.\n\n" +
+            min_slot_meaning + "`progress` is told the part done; returning False ends with what is known so far.\n\n" +
+            conditions_meaning + neighbours_meaning,
+        [](const Arguments& given) {
+            const auto car = given.get<Car>("car");
+            std::optional<double> width, length;
+            given.read("width", width);
+            given.read("length", length);
+            if (width.has_value() == length.has_value()) throw Error("give either the width or the length of the slot");
+            MinSlotOptions options = min_slot_options(given);
+            given.read("max_changes", options.max_changes);
+            given.read("strategy", options.strategy);
+            options.sought = width ? Sought::length : Sought::width;
+            Progress progress(given.callback("progress"));
+            options.progress = [&](double part) { return progress.tell(part); };
+            return interruptible(progress, [&] { return min_slot(car, width ? *width : *length, options); });
+        });
 }
 
 FewestOptions fewest_options(const Arguments& given) {
     FewestOptions options;
     given.read("max_changes", options.max_changes);
-    given.read("clearance", options.driving.clearance);
-    given.read("enter", options.driving.enter);
+    given.read_conditions(options);
     given.read("resolution", options.resolution);
     std::optional<double> time_limit;
     given.read("time_limit", time_limit);
@@ -318,13 +320,13 @@ void define_fewest(py::module_& module) {
             "part", [](const FewestProgress& p) { return p.part; }, "Of the time limit gone, 0 to 1.")
         .finish();
     const std::string parameters =
-        "*, max_changes=200, clearance=0.0, enter='backward', resolution=0.0, time_limit=None, roomiest=True, "
-        "progress=None)";
+        "*, max_changes=200, " + conditions + ", resolution=0.0, time_limit=None, roomiest=True, progress=None)";
     const std::string meaning =
         "`resolution` is the spacing of the finest lattice [m], 0 a ten-thousandth of the car's length; `time_limit` "
         "[s]\n"
         "ends with the bounds found so far; `roomiest=False` takes any maneuver with that many changes. `progress` is\n"
-        "told a FewestProgress; returning False ends with the bounds found so far. Returns an Answer.";
+        "told a FewestProgress; returning False ends with the bounds found so far. Returns an Answer.\n\n" +
+        conditions_meaning;
     define(
         module, "fewest(car, slot, " + parameters,
         "The smallest number of direction changes with which the car can enter the slot, whatever way it is steered\n"
@@ -364,37 +366,6 @@ void define_fewest(py::module_& module) {
             given.read("heading", gaps.heading);
             return parked_pose(given.get<Car>("car"), given.get<Slot>("slot"), gaps);
         });
-
-    Value<FewestLength>(module, "FewestLength", "A slot that is long enough, as far as it is known.")
-        .field(
-            "length", [](const FewestLength& f) { return f.length; },
-            "The car parks in this [m]; None when not even the longest slot is found to do.")
-        .field(
-            "length_lower", [](const FewestLength& f) { return f.length_lower; }, "And in none shorter than this [m].")
-        .finish();
-    define(module,
-           "min_length_fewest(car, width, *, max_changes=0, clearance=0.0, enter='backward', longest=4.0, "
-           "precision=0.001, resolution=0.0, progress=None)",
-           "The shortest slot of the given width [m] in which the car can park with at most `max_changes` direction\n"
-           "changes, whatever way it is steered: between two lengths, both proved, as a FewestLength.\n\n"
-           "`precision` is what both lengths are found to [m], as far as the `resolution` of the lattice lets them "
-           "[m], 0\n"
-           "a two-thousandth of the car's length. `progress` is told the part done; returning False ends with what is\n"
-           "known so far.",
-           [](const Arguments& given) {
-               const auto car = given.get<Car>("car");
-               const auto width = given.get<double>("width");
-               FewestLengthOptions options;
-               given.read("max_changes", options.max_changes);
-               given.read("clearance", options.driving.clearance);
-               given.read("enter", options.driving.enter);
-               given.read("longest", options.longest);
-               given.read("precision", options.precision);
-               given.read("resolution", options.resolution);
-               Progress progress(given.callback("progress"));
-               options.progress = [&](double part) { return progress.tell(part); };
-               return interruptible(progress, [&] { return min_length_fewest(car, width, options); });
-           });
 }
 
 void define_contact(py::module_& module) {
@@ -416,13 +387,16 @@ void define_contact(py::module_& module) {
             "The first Stretch of the move, up to the contact, over which the whole frame is inside the slot, or None.")
         .finish();
     define(
-        module, "first_contact(car, slot, pose, direction, steering_angle, *, clearance=0.0)",
+        module, "first_contact(car, slot, pose, direction, steering_angle, *, clearance=0.0, curb_clearance=None)",
         "Where a car at `pose` (world frame) that drives 'backward' or 'forward' with `steering_angle` (positive to\n"
         "the left, 0 straight) [rad] first touches the curb or a neighbour, in closed form. Returns a FirstContact.\n"
-        "`clearance` [m] grows the frame on every side for contacts, not for being inside.",
+        "`clearance` [m] grows the frame on every side for contacts, not for being inside; at the curb "
+        "`curb_clearance` in its\n"
+        "place.",
         [](const Arguments& given) {
             Driving driving;
             given.read("clearance", driving.clearance);
+            given.read("curb_clearance", driving.curb_clearance);
             return first_contact(given.get<Car>("car"), given.get<Slot>("slot"), given.get<Pose>("pose"),
                                  given.get<Direction>("direction"), given.get<double>("steering_angle"), driving);
         });

@@ -170,7 +170,10 @@ export interface MinSlotOptions extends Common {
     length?: number;
     min_range?: number;
     strategy?: "max-steer" | "fewest";
-    /** For "fewest", which knows widths only. */
+    front_setback?: number;
+    rear_setback?: number;
+    curb?: "high" | "low";
+    /** For "fewest". */
     resolution?: number;
     precision?: number;
 }
@@ -181,8 +184,9 @@ export interface MinSlotRow {
     width: number | null;
     length: number | null;
     entry_heading?: number | null;
-    /** "fewest": parking is proved impossible in any shorter slot. */
+    /** "fewest": parking is proved impossible in any shorter, or narrower, slot. */
     length_lower?: number;
+    width_lower?: number;
 }
 
 export interface MaxSteerRun {

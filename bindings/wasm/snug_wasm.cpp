@@ -203,34 +203,25 @@ val min_slot_question(const val& given_car, const val& given_options) {
         const std::optional<double> length = number_given(given_options, "length");
         if (width.has_value() == length.has_value()) throw Error("give either \"width\" or \"length\" of the slot");
         const int max_changes = count_given(given_options, "max_changes").value_or(0);
-        Json row = {{"max_changes", max_changes}};
-        if (second_word(given_options, "strategy", "max-steer", "fewest")) {
-            if (!width) throw Error("strategy \"fewest\" needs the \"width\" of the slot");
-            auto options = common<FewestLengthOptions>(given_options);
-            options.max_changes = max_changes;
-            options.resolution = number_given(given_options, "resolution").value_or(0.0);
-            options.precision = number_given(given_options, "precision").value_or(options.precision);
-            const FewestLength found = min_length_fewest(car, *width, options);
-            row["width"] = *width;
-            row["length"] = found.length ? Json(*found.length) : Json();
-            row["length_lower"] = found.length_lower;
-            return as_object(row);
-        }
         auto options = common<MinSlotOptions>(given_options);
         options.max_changes = max_changes;
+        options.sought = width ? Sought::length : Sought::width;
+        options.strategy =
+            second_word(given_options, "strategy", "max-steer", "fewest") ? Strategy::fewest : Strategy::max_steer;
         options.min_range = number_given(given_options, "min_range").value_or(0.0);
-        const std::optional<MinSlot> slot = width ? min_length(car, *width, options) : min_width(car, *length, options);
-        row["width"] = slot ? Json(slot->width) : width ? Json(*width) : Json();
-        row["length"] = slot ? Json(slot->length) : length ? Json(*length) : Json();
-        row["entry_heading"] = slot ? Json(slot->entry_heading) : Json();
-        return as_object(row);
+        options.front_setback = number_given(given_options, "front_setback").value_or(0.0);
+        options.rear_setback = number_given(given_options, "rear_setback").value_or(0.0);
+        options.curb = second_word(given_options, "curb", "high", "low") ? Curb::low : Curb::high;
+        options.resolution = number_given(given_options, "resolution").value_or(0.0);
+        options.precision = number_given(given_options, "precision").value_or(options.precision);
+        return as_object(as_json(min_slot(car, width ? *width : *length, options), options));
     });
 }
 
 val shortfall_question(const val& given_car, const val& given_slot, const val& given_options) {
     return answered([&] {
-        const Shortfall missing = shortfall(car_from(given_car), slot_from(given_slot),
-                                            number_given(given_options, "clearance").value_or(0.0));
+        const Shortfall missing =
+            shortfall(car_from(given_car), slot_from(given_slot), common<EntryOptions>(given_options).driving);
         return as_object({{"length", missing.length}, {"width", missing.width}});
     });
 }

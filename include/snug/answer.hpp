@@ -35,7 +35,8 @@ struct Answer {
     int lower_bound = 0;
     /// The two meet, or the lower bound exceeds what is allowed; with full steering also: no heading is missed.
     bool proved = false;
-    bool cancelled = false;  ///< the progress callback gave up: as far as it had come
+    /// Given up before anything was decided, by the progress callback or at the bound on work: as far as it had come.
+    bool cancelled = false;
     /// Full steering: the headings that park, in rising order.
     std::vector<HeadingRange> ranges;
     /// Full steering: headings wider than the ends of ranges (1e-11 rad) of which nothing is claimed.

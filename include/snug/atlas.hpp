@@ -16,15 +16,13 @@
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
 #include "snug/slot.hpp"
+#include "snug/strategy.hpp"
 
 namespace snug {
 
-/// Which maneuvers an atlas knows: those of entry() with full steering, or the best of all.
-enum class AtlasStrategy { max_steer, fewest };
-
 /// The question an atlas answers for every car and slot.
 struct AtlasOptions {
-    AtlasStrategy strategy = AtlasStrategy::max_steer;
+    Strategy strategy = Strategy::max_steer;
     /// As in EntryOptions (empty: the fewest, up to 200, and their headings; set: every count up to it) and FewestOptions.
     std::optional<int> max_changes = {};
     double min_range = 0.0;   ///< max_steer: narrower ranges of headings are left out [rad]
@@ -60,7 +58,7 @@ public:
     /// fewest: the bounds meet, or the lower one exceeds what was allowed.
     [[nodiscard]] bool proved() const noexcept { return proved_; }
 
-    /// Ranges of entry headings, in rising order; none with AtlasStrategy::fewest.
+    /// Ranges of entry headings, in rising order; none with Strategy::fewest.
     [[nodiscard]] std::size_t ranges() const noexcept { return ranges_; }
     [[nodiscard]] HeadingRange range(std::size_t i) const noexcept;
 

@@ -1,12 +1,15 @@
 // First contact: how far a car can drive with one steering angle before its frame touches something.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "snug/car.hpp"
 #include "snug/driving.hpp"
 #include "snug/maneuver.hpp"
+#include "snug/place.hpp"
 #include "snug/slot.hpp"
 
 namespace snug {
@@ -48,6 +51,17 @@ struct Gaps {
     friend bool operator==(const Gaps&, const Gaps&) = default;
 };
 Gaps gaps(const Car& car, const Slot& slot, const Pose& pose, const Driving& driving = {});
+
+/// How far a car at a pose is from an obstacle of a place, and which part of the car is nearest to it.
+struct PlaceGap {
+    double distance = 0.0;  ///< what the obstacle asks to be kept is taken off; negative: the shortest way out [m]
+    CarPart part = CarPart::front_left_corner;
+    std::size_t part_index = 0;  ///< as in Contact
+
+    friend bool operator==(const PlaceGap&, const PlaceGap&) = default;
+};
+/// One for every obstacle, in the place's order; to low ones those of the wheels.
+std::vector<PlaceGap> gaps(const Car& car, const Place& place, const Pose& pose, double clearance = 0.0);
 
 /// Does the car overlap nothing at a pose? Touching, to 1e-9 of its length, is allowed.
 bool is_free(const Car& car, const Slot& slot, const Pose& pose, const Driving& driving = {});

@@ -9,6 +9,8 @@
 #include "snug/entry.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
+#include "snug/park.hpp"
+#include "snug/scene.hpp"
 #include "snug/slot.hpp"
 
 namespace snug {
@@ -43,5 +45,12 @@ std::string draw_maneuver(const Slot& slot, const Maneuver& maneuver, PictureFor
 /// below them the headings on a scale.
 std::string draw_entries(const Car& car, const Slot& slot, const Answer& answer, PictureFormat format,
                          const PictureOptions& options = {});
+
+/// Where the car stands in a street, the way into the slot, and a table of the moves; without a maneuver the car alone.
+std::string draw_park(const Car& car, const Street& street, const Pose& start, const ParkAnswer& answer,
+                      PictureFormat format, const PictureOptions& options = {});
+/// The same in a scene, whose x runs to the right and y upward.
+std::string draw_park(const Car& car, const Scene& scene, const ParkAnswer& answer, PictureFormat format,
+                      const PictureOptions& options = {});
 
 }  // namespace snug

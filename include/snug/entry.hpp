@@ -3,23 +3,14 @@
 
 #include <functional>
 #include <optional>
-#include <variant>
 
 #include "snug/answer.hpp"
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
 #include "snug/slot.hpp"
-#include "snug/stepping.hpp"
-#include "snug/trials.hpp"
 
 namespace snug {
-
-/// Full steering until contact, exactly.
-struct MaxSteer {};
-
-/// How the car is driven between entry and goal. Trials start from a goal: they answer with a maneuver and no ranges.
-using Strategy = std::variant<MaxSteer, Stepping, ReversedTrials, ParallelTrials>;
 
 struct EntryOptions {
     /// Empty: Problem 1, the fewest changes (at most 200). Set: Problem 2, every count up to it. 0 to 100000.
@@ -27,15 +18,14 @@ struct EntryOptions {
     double min_range = 0.0;  ///< leave out stretches of headings narrower than this [rad], 0 to pi/2
     Driving driving = {};
     Parked parked = {};  ///< what counts as parked
-    Strategy strategy = MaxSteer{};
-    /// Full steering: show that no heading is missed. Without, the answer comes sooner and says that it is not proved.
+    /// Show that no heading is missed. Without, the answer comes sooner and says that it is not proved.
     bool prove = false;
     /// Told the part done (0 to 1) from time to time on long questions; returning false gives the question up.
     std::function<bool(double)> progress = {};
 };
 
-/// All entry headings in [0, pi/2] from which the car parks with the fewest direction changes, or with at most
-/// `max_changes`, as exact ranges (edges to 1e-12 rad, rounded inward), and one best maneuver.
+/// All entry headings in [0, pi/2] from which the car parks, by full steering until contact, with the fewest direction
+/// changes, or with at most `max_changes`, as exact ranges (edges to 1e-12 rad, rounded inward), and one best maneuver.
 /// Throws Error when an option is impossible.
 Answer entry(const Car& car, const Slot& slot, const EntryOptions& options = {});
 
@@ -48,6 +38,5 @@ struct Shortfall {
     friend bool operator==(const Shortfall&, const Shortfall&) = default;
 };
 Shortfall shortfall(const Car& car, const Slot& slot, const Driving& driving = {});
-Shortfall shortfall(const Car& car, const Slot& slot, double clearance);
 
 }  // namespace snug

@@ -46,30 +46,4 @@ struct FewestOptions {
 /// Throws Error when an option is impossible, or when the resolution would take more than 2 GB of memory.
 Answer fewest(const Car& car, const Slot& slot, const FewestOptions& options = {});
 
-/// A slot that is long enough, as far as it is known.
-struct FewestLength {
-    std::optional<double> length;  ///< the car parks in this [m]; empty when not even the longest slot is found to do
-    double length_lower = 0.0;     ///< and in none shorter than this [m]
-
-    friend bool operator==(const FewestLength&, const FewestLength&) = default;
-};
-
-struct FewestLengthOptions {
-    int max_changes = 0;  ///< direction changes allowed, 0 to 1000
-    Driving driving = {};
-    Parked parked = {};          ///< what counts as parked
-    double front_setback = 0.0;  ///< of the neighbours, and the curb, as in SlotDimensions
-    double rear_setback = 0.0;
-    Curb curb = Curb::high;
-    double longest = 4.0;     ///< give up where even this much more than the car's length is too short [m]
-    double precision = 1e-3;  ///< to which both lengths are found [m], as far as the resolution lets them
-    double resolution = 0.0;  ///< spacing of the finest lattice [m]; 0: a two-thousandth of the car's length
-    /// Told the part done (0 to 1) from time to time; returning false ends with what is known so far.
-    std::function<bool(double)> progress = {};
-};
-
-/// The shortest slot of the given width [m] in which the car can park with at most `max_changes` direction changes,
-/// whatever way it is steered: between two lengths, both proved. Throws Error when an option is impossible.
-FewestLength min_length_fewest(const Car& car, double width, const FewestLengthOptions& options);
-
 }  // namespace snug

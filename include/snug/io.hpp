@@ -9,6 +9,9 @@
 
 #include "snug/entry.hpp"
 #include "snug/fewest.hpp"
+#include "snug/min_slot.hpp"
+#include "snug/park.hpp"
+#include "snug/scene.hpp"
 #include "snug/waypoints.hpp"
 
 namespace snug {
@@ -41,22 +44,32 @@ Json as_json(const Pose& pose);
 Json as_json(const Box& box);
 Json as_json(const Move& move);
 Json as_json(const Maneuver& maneuver);
-/// The answer of `snug entry --format json`.
-Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const Answer& answer);
+/// The answer of `snug entry --format json`; the strategy may be the name of a baseline.
+Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, const Answer& answer,
+             std::string_view strategy = "max-steer");
 
 /// The answer of `snug entry --strategy fewest --format json`, with `proved` and `lower_bound`. `max_changes` as asked.
 Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const Answer& answer,
              const Driving& driving = {}, const Parked& parked = {});
+/// A row of `snug min-slot --format json`.
+Json as_json(const MinSlot& slot, const MinSlotOptions& options);
 /// The answer of `snug leave --format json`.
 Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer, const Driving& driving = {});
+
+/// The answer of `snug park --format json`, in a street or in a scene.
+Json park_as_json(const Car& car, const Street& street, const Pose& start, const ParkOptions& options,
+                  const ParkAnswer& answer);
+Json park_as_json(const Car& car, const Scene& scene, const ParkOptions& options, const ParkAnswer& answer);
+/// The same as CSV: a row for every move.
+std::string park_as_csv(const Place& place, const ParkAnswer& answer);
+/// A street's slot, and a scene as a file of its own.
+Json as_json(const Street& street);
+Json as_json(const Scene& scene);
 
 /// `snug entry --waypoints FILE.json`: `schema` and `waypoints`, a list of objects.
 Json as_json(const std::vector<Waypoint>& waypoints);
 /// `snug entry --waypoints FILE.csv`: a row for each, all numbers, the direction 1 forward and -1 backward.
 std::string as_csv(const std::vector<Waypoint>& waypoints);
-
-/// "max-steer", "stepping", "reversed-trials", "parallel-trials"
-std::string_view to_string(const Strategy& strategy);
 
 /// JSON text: what fits on a line stays on one; ends with a newline.
 std::string write(const Json& json);

@@ -4,6 +4,7 @@
 #include "snug/car.hpp"
 #include "snug/fewest.hpp"
 #include "snug/geometry.hpp"
+#include "snug/park.hpp"
 #include "snug/slot.hpp"
 
 namespace snug {
@@ -26,5 +27,13 @@ Pose parked_pose(const Car& car, const Slot& slot, const ParkedGaps& gaps);
 /// Throws Error when an option is impossible, when the car is not inside the slot or not `options.driving.clearance` away from
 /// the neighbours and the curb, and when it is more than 1.2 rad off parallel.
 Answer leave(const Car& car, const Slot& slot, const Pose& pose, const FewestOptions& options = {});
+
+/// The street as a place in which the car is to stand on the road: all of it beyond the entry side, its heading at most 0.1 rad off
+/// the street's.
+Place road_place(const Street& street);
+
+/// The smallest number of direction changes with which a car at `pose` in the bay gets out onto the road, with what bounds
+/// it: park() into road_place(), whose conditions and exceptions hold. Driven the other way round it is parking.
+ParkAnswer leave(const Car& car, const Street& street, const Pose& pose, const ParkOptions& options = {});
 
 }  // namespace snug

@@ -1,24 +1,21 @@
 // Park: from any pose, among any obstacles, with the fewest direction changes over all maneuvers, proved.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <limits>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "snug/answer.hpp"
 #include "snug/car.hpp"
-#include "snug/maneuver.hpp"
+#include "snug/contact.hpp"
+#include "snug/fewest.hpp"
 #include "snug/place.hpp"
 
 namespace snug {
 
-/// How far a search has got.
-struct ParkProgress {
-    int lower_bound = 0;                   ///< proved so far
-    std::optional<int> direction_changes;  ///< demonstrated so far
-    double spacing = 0.0;                  ///< of the finest lattice finished [m]; 0 if none is
-    double part = 0.0;                     ///< of the time limit gone, 0 to 1
-};
+using ParkProgress = FewestProgress;
 
 struct ParkOptions {
     int max_changes = 200;   ///< direction changes allowed, 0 to 1000
@@ -33,9 +30,22 @@ struct ParkOptions {
     std::function<bool(const ParkProgress&)> progress = {};
 };
 
-/// Of the maneuver from the start to where the car is parked: arcs and straight lines, none of which meets anything.
+/// What the car is nearest to where it stops.
+struct ParkStop {
+    std::size_t obstacle = 0;  ///< of the place
+    PlaceGap gap;
+
+    /// Whether it touches it.
+    [[nodiscard]] bool is_contact() const { return gap.distance <= 1e-6; }
+};
+
+/// Of the maneuver from the start to where the car is parked: arcs and straight lines, none of which goes through anything.
 struct ParkAnswer : Answer {
     bool impossible = false;  ///< no number of direction changes will do: proved
+    /// For every move of the maneuver, at its end; empty in a place without obstacles.
+    std::vector<ParkStop> stops;
+    /// With more direction changes, in rising order, each much shorter than those with fewer or ending straighter.
+    std::vector<Maneuver> alternatives;
 };
 
 /// The fewest direction changes with which the car parks from where it stands, whatever way it is steered within its limit

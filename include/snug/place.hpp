@@ -57,6 +57,8 @@ public:
     explicit Place(PlaceDescription description);
 
     [[nodiscard]] const std::vector<PlaceObstacle>& obstacles() const { return description_.obstacles; }
+    /// Its name, or "obstacle [3]".
+    [[nodiscard]] std::string name_of(std::size_t obstacle) const;
     [[nodiscard]] const std::variant<ParkedInside, ParkedAt>& parked() const { return description_.parked; }
     /// Counter-clockwise.
     [[nodiscard]] const std::vector<Point>& region() const { return description_.region; }

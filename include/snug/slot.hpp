@@ -1,6 +1,8 @@
 // Slot: the gap between two parked cars, and the frame of reference the solver works in.
 #pragma once
 
+#include <string_view>
+
 #include "snug/geometry.hpp"
 
 namespace snug {
@@ -10,6 +12,10 @@ enum class Side { right, left };
 
 /// What the curb stops: the whole car, or only its wheels, so that the body may pass over it.
 enum class Curb { high, low };
+
+/// "right", "left"; "high", "low"
+std::string_view to_string(Side side);
+std::string_view to_string(Curb curb);
 
 /// The paper's parallel parking slot P = (p, delta, W, L), section 2.1, and what real ones have beside it.
 struct SlotDimensions {

@@ -3,6 +3,7 @@
 
 #include "snug/answer.hpp"
 #include "snug/atlas.hpp"
+#include "snug/baselines.hpp"
 #include "snug/batch.hpp"
 #include "snug/car.hpp"
 #include "snug/contact.hpp"
@@ -21,6 +22,7 @@
 #include "snug/place.hpp"
 #include "snug/slot.hpp"
 #include "snug/stepping.hpp"
+#include "snug/strategy.hpp"
 #include "snug/trials.hpp"
 #include "snug/version.hpp"
 #include "snug/waypoints.hpp"

@@ -1,6 +1,8 @@
 // Algorithm 1 of the paper as printed: Euler steps of equation 1. The reference, the baseline and the thing to beat.
 #pragma once
 
+#include <string_view>
+
 #include "snug/car.hpp"
 #include "snug/max_steer.hpp"
 #include "snug/slot.hpp"
@@ -12,6 +14,9 @@ enum class StopRule {
     inside,   ///< after every step
     contact,  ///< only when a move ends in contact, as the algorithm is printed
 };
+
+/// "inside", "contact"
+std::string_view to_string(StopRule stop);
 
 /// The options of Algorithm 1 (section 3.1 of the paper).
 ///

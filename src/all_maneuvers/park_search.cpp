@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "all_maneuvers/few_pieces.hpp"
 #include "all_maneuvers/inner_sets.hpp"
 #include "all_maneuvers/route.hpp"
 #include "model/angles.hpp"
@@ -142,6 +143,16 @@ ChartPlace with_grown_car(const ChartPlace& place, double by) {
     return grown;
 }
 
+/// The part of the region that is so far around two places.
+ChartPlace near_both(const ChartPlace& place, const Pose& one, const Pose& other, double out) {
+    ChartPlace part = place;
+    part.region.push_back({{1.0, 0.0}, std::max(one.x, other.x) + out});
+    part.region.push_back({{-1.0, 0.0}, out - std::min(one.x, other.x)});
+    part.region.push_back({{0.0, 1.0}, std::max(one.y, other.y) + out});
+    part.region.push_back({{0.0, -1.0}, out - std::min(one.y, other.y)});
+    return part;
+}
+
 /// Looks for ways with as many changes as the moves that are left allow.
 class WaySearch {
 public:
@@ -162,7 +173,8 @@ public:
         return {};
     }
 
-    /// One that keeps a distance: that of the largest car that gets through. Empty if none is found.
+    /// One that keeps a distance, if it can be had half that of the largest car that gets through, and that is short. Empty if
+    /// none is found.
     std::vector<Path> roomiest() {
         std::optional<Found> best;
         double too_large = largest;
@@ -183,11 +195,33 @@ public:
                 too_large = middle;
             }
         }
-        return best ? drivable(*best) : std::vector<Path>{};
+        if (!best) return {};
+        std::vector<Path> way = driven_well(*best);
+        if (way.empty()) return way;
+        std::vector<Path> other = shortest(best->grown / 2.0, way.back().at(way.back().length));
+        return other.empty() || trouble(other, place_.radius) >= trouble(way, place_.radius) ? way : other;
+    }
+
+    /// One within as small a part of the region around the start and a goal as will do; empty if none is found.
+    std::vector<Path> shortest(double grown, const Pose& goal) {
+        const ChartPlace whole = place_;
+        const double all = std::max(whole.x_max - whole.x_min, whole.y_max - whole.y_min);
+        std::optional<Found> best;
+        double too_small = 0.0, enough = all;
+        for (int i = 0; i < 6; ++i) {
+            const double out = i == 0 ? all / 2.0 : (too_small + enough) / 2.0;
+            place_ = near_both(whole, whole.start, goal, out);
+            std::optional<Found> found = find_either(grown);
+            (found ? enough : too_small) = out;
+            if (found) best = std::move(found);
+        }
+        place_ = whole;
+        return best ? driven_well(*best) : std::vector<Path>{};
     }
 
 private:
     static constexpr double smallest = 0.003, largest = 0.2;  ///< by which the car is grown [m]
+    static constexpr double worth_of_distance = 25.0;         ///< of length, per metre of distance kept
 
     struct Found {
         double grown = 0.0;
@@ -218,18 +252,35 @@ private:
         return found;
     }
 
-    /// Few pieces that keep as much distance as the steps along the lattice do; empty if these meet something.
+    /// Few pieces; empty if the steps along the lattice meet something.
     std::vector<Path> drivable(const Found& found) {
         const std::vector<Path> steps = way_by_steps(found.lattice, found.chain, place_);
         if (!is_drivable(place_, steps)) return {};
-        for (double keeps = found.grown; keeps > smallest / 2.0; keeps /= 2.0) {
-            const ChartPlace wary = with_grown_car(place_, keeps);
-            if (is_drivable(wary, steps)) return with_few_pieces(wary, steps);
-        }
         return with_few_pieces(place_, steps);
     }
 
-    const ChartPlace& place_;
+    /// The same polished: of several distances that the steps along the lattice keep the one at which that gives the least
+    /// trouble, where distance makes up for some.
+    std::vector<Path> driven_well(const Found& found) {
+        const std::vector<Path> steps = way_by_steps(found.lattice, found.chain, place_);
+        if (!is_drivable(place_, steps)) return {};
+        std::vector<Path> best;
+        double least = std::numeric_limits<double>::infinity();
+        for (const double part : {1.0, 0.5, 0.25, 0.0}) {
+            const double keeps = part * found.grown;
+            const ChartPlace wary = with_grown_car(place_, keeps);
+            if (!is_drivable(wary, steps)) continue;
+            std::vector<Path> way = polished(wary, with_few_pieces(wary, steps));
+            const double minds = trouble(way, place_.radius) - worth_of_distance * keeps;
+            if (minds < least && is_drivable(place_, way)) {
+                least = minds;
+                best = std::move(way);
+            }
+        }
+        return best;
+    }
+
+    ChartPlace place_;
     double h0_;
     const Left& left_;
     const Watching& watch_;
@@ -253,12 +304,6 @@ std::optional<int> changes_along(const ChartPlace& place, double h, double h0, c
         now = std::move(next);
     }
     updates += lattice.updates;
-    return changes;
-}
-
-int changes_of(const std::vector<Path>& way) {
-    int changes = 0;
-    for (std::size_t i = 1; i < way.size(); ++i) changes += way[i].way != way[i - 1].way;
     return changes;
 }
 
@@ -309,6 +354,33 @@ std::vector<Path> way_to_drive(const ParkQuestion& question, const Left& left, c
         if (!way.empty() && is_drivable(question.place, way)) return way;
     }
     return {};
+}
+
+constexpr int others_tried = 2;  ///< with more changes
+
+double length_of(const std::vector<Path>& way) {
+    double length = 0.0;
+    for (const Path& piece : way) length += piece.length;
+    return length;
+}
+
+/// The distance that is kept from everything all the way, as far as it matters. [m]
+double distance_kept(const ChartPlace& place, const std::vector<Path>& way) {
+    for (const double distance : {0.1, 0.05, 0.02})
+        if (is_drivable(with_grown_car(place, distance), way)) return distance;
+    return 0.0;
+}
+
+/// Whether a way with a change more saves a detour, keeps a distance or ends better: less aslant.
+bool worth_a_change(const ParkQuestion& question, const std::vector<Path>& one, const std::vector<Path>& other) {
+    constexpr double much = 0.8, much_distance = 0.05, much_heading = 0.02;  // of the length, [m] and [rad]
+    const double before = distance_kept(question.place, other);
+    if (before < much_distance && distance_kept(question.place, one) >= before + much_distance - 0.021) return true;
+    const auto aslant = [&](const std::vector<Path>& way) {
+        const double parked = -question.place.start.heading;  // the chart lies halfway
+        return way.empty() ? 0.0 : std::abs(way.back().at(way.back().length).heading - parked);
+    };
+    return length_of(one) < much * length_of(other) || aslant(one) < aslant(other) - much_heading;
 }
 
 }  // namespace
@@ -374,10 +446,25 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     };
     const auto finish = [&] {
         if (!question.roomiest || !bounds.upper) return;
-        const std::optional<Left> left = left_for(*bounds.upper, found_at);
-        if (!left) return;
-        std::vector<Path> way = way_to_drive(question, *left, watch, bounds.updates);
-        if (!way.empty() && changes_of(way) == *bounds.upper) bounds.way = std::move(way);
+        // A lattice that just holds a way may not hold one that keeps a distance, but the next one may.
+        std::vector<Path> way;
+        for (double h = found_at; way.empty() && h > 0.999 * question.finest && h > 0.4 * found_at; h /= 2.0) {
+            const std::optional<Left> left = left_for(*bounds.upper, h);
+            if (left) way = way_to_drive(question, *left, watch, bounds.updates);
+        }
+        if (way.empty()) way = polished(question.place, bounds.way);
+        if (changes_of(way) == *bounds.upper && is_drivable(question.place, way)) bounds.way = std::move(way);
+        bounds.others.reserve(others_tried);
+        const std::vector<Path>* best = &bounds.way;
+        for (int more = 1; more <= others_tried && *bounds.upper + more <= question.max_changes; ++more) {
+            const std::optional<Left> left = left_for(*bounds.upper + more, h0);
+            if (!left) continue;
+            std::vector<Path> other = way_to_drive(question, *left, watch, bounds.updates);
+            if (other.empty() || changes_of(other) != *bounds.upper + more || !worth_a_change(question, other, *best))
+                continue;
+            bounds.others.push_back(std::move(other));
+            best = &bounds.others.back();
+        }
     };
     for (double h = h0; h > 0.999 * question.finest && !bounds.meet(); h /= 2.0) {
         // What is left for the lower bound at this spacing; each count that turns out impossible moves it up.

@@ -19,12 +19,13 @@ struct ParkQuestion {
 
 /// What is known. It only ever gets better, so that it can be used whenever the search is given up.
 struct ParkBounds {
-    int lower = 0;             ///< no maneuver has fewer
-    bool impossible = false;   ///< none will do at all
-    std::optional<int> upper;  ///< as `way` has
-    std::vector<Path> way;     ///< in the chart, checked
-    double spacing = 0.0;      ///< of the finest lattice [m]
-    std::size_t updates = 0;   ///< cells computed
+    int lower = 0;                          ///< no maneuver has fewer
+    bool impossible = false;                ///< none will do at all
+    std::optional<int> upper;               ///< as `way` has
+    std::vector<Path> way;                  ///< in the chart, checked
+    std::vector<std::vector<Path>> others;  ///< with one change more each, but shorter or ending better
+    double spacing = 0.0;                   ///< of the finest lattice [m]
+    std::size_t updates = 0;                ///< cells computed
 
     [[nodiscard]] bool meet() const { return impossible || (upper && *upper == lower); }
 };

@@ -175,6 +175,22 @@ double farthest_along(const Path& path, const Point& normal) {
     return most;
 }
 
+/// Whether a box around everything the car can come to is apart from a box around the solid.
+bool is_out_of_reach(const std::vector<Point>& shape, const Path& piece, const std::vector<Point>& solid) {
+    double size = 0.0;
+    for (const Point& p : shape) size = std::max(size, std::abs(p.x) + std::abs(p.y));
+    const double reach = piece.length + size + 0.01;
+    double left = solid[0].x, right = left, below = solid[0].y, above = below;
+    for (const Point& p : solid) {
+        left = std::min(left, p.x), right = std::max(right, p.x);
+        below = std::min(below, p.y), above = std::max(above, p.y);
+    }
+    return piece.start.x + reach < left || piece.start.x - reach > right || piece.start.y + reach < below ||
+           piece.start.y - reach > above;
+}
+
+}  // namespace
+
 bool is_parked(const ChartPlace& place, const Pose& pose) {
     const double sine = angles::sin(pose.heading);
     if (sine < place.parked_from - touch || sine > place.parked_to + touch) return false;
@@ -196,19 +212,17 @@ bool is_parked(const ChartPlace& place, const Pose& pose) {
     return true;
 }
 
-}  // namespace
-
-namespace {
-
 bool is_free(const ChartPlace& place, const Path& piece) {
     for (const HalfPlane& edge : place.region)
         if (farthest_along(piece, edge.normal) > edge.offset + 1e-6) return false;
-    for (const ChartPlace::Solid& solid : place.solids)
-        if (first_contact(place.shapes[solid.stops], piece, solid.corners, touch) < piece.length) return false;
+    for (const ChartPlace::Solid& solid : place.solids) {
+        const std::vector<Point>& shape = place.shapes[solid.stops];
+        if (!is_out_of_reach(shape, piece, solid.corners) &&
+            first_contact(shape, piece, solid.corners, touch) < piece.length)
+            return false;
+    }
     return true;
 }
-
-}  // namespace
 
 bool is_drivable(const ChartPlace& place, const std::vector<Path>& way) {
     for (const ChartPlace::Solid& solid : place.solids)
@@ -216,142 +230,6 @@ bool is_drivable(const ChartPlace& place, const std::vector<Path>& way) {
     for (const Path& piece : way)
         if (!is_free(place, piece)) return false;
     return is_parked(place, way.empty() ? place.start : way.back().at(way.back().length));
-}
-
-namespace {
-
-constexpr double full_turn = 6.283185307179586;
-
-double turned_left(double angle) {
-    const double left_over = std::remainder(angle, full_turn);
-    return left_over < 0.0 ? left_over + full_turn : left_over;
-}
-
-/// Ways of an arc, a straight line and an arc from one pose to another, driven forward or backward (Dubins 1957), the
-/// shortest first.
-std::vector<std::vector<Path>> ways_between(const Pose& from, const Pose& to, double way, double radius) {
-    // Backward is forward for a car that looks the other way: left stays left of the car, but turns the other way round.
-    const auto [s, c] = angles::sine_cosine(from.heading);
-    const double dx = (to.x - from.x) * way, dy = to.y - from.y;
-    const double ahead = (dx * c * 1.0 + way * dy * s) / radius;
-    const double aside = ((to.y - from.y) * c - (to.x - from.x) * s) / radius;
-    const double turn = way * (to.heading - from.heading);
-    // Now as if forward from the origin along x, with radius 1; mirrored in x the sense of left is kept.
-    struct Found {
-        double first, middle, last, first_sense, last_sense;
-    };
-    std::vector<Found> found;
-    for (const double one : {1.0, -1.0}) {
-        for (const double other : {1.0, -1.0}) {
-            // Centres at (0, one) and where the last arc has its own.
-            const auto [ts, tc] = angles::sine_cosine(turn);
-            const double x = ahead - other * ts, y = aside + other * tc - one;
-            const double apart = angles::hypot(x, y);
-            double middle = apart, heading = angles::atan2(y, x);
-            if (one != other) {
-                if (apart < 2.0) continue;
-                middle = std::sqrt((apart - 2.0) * (apart + 2.0));
-                heading += one * angles::atan2(2.0, middle);
-            } else if (apart < 1e-12) {
-                heading = turn;
-            }
-            const double first = turned_left(one * heading), last = turned_left(other * (turn - heading));
-            found.push_back(
-                {first < full_turn - 1e-9 ? first : 0.0, middle, last < full_turn - 1e-9 ? last : 0.0, one, other});
-        }
-    }
-    std::sort(found.begin(), found.end(),
-              [](const Found& a, const Found& b) { return a.first + a.middle + a.last < b.first + b.middle + b.last; });
-    std::vector<std::vector<Path>> ways;
-    for (const Found& of : found) {
-        if (of.first > 2.5 || of.last > 2.5) continue;
-        std::vector<Path> pieces;
-        Pose at = from;
-        const auto add = [&](double curvature, double length) {
-            if (!(length > 1e-9)) return;
-            pieces.push_back({at, curvature, way, length});
-            at = pieces.back().at(length);
-        };
-        add(of.first_sense / radius, of.first * radius);
-        add(0.0, of.middle * radius);
-        add(of.last_sense / radius, of.last * radius);
-        const double off = std::abs(at.x - to.x) + std::abs(at.y - to.y) + std::abs(at.heading - to.heading);
-        if (off < 1e-7 && !pieces.empty()) ways.push_back(std::move(pieces));
-    }
-    return ways;
-}
-
-bool stays_in_chart(const std::vector<Path>& way) {
-    for (const Path& piece : way)
-        if (std::abs(angles::sin(piece.at(piece.length).heading)) > steepest_sine ||
-            std::abs(piece.at(piece.length).heading) > full_turn / 4.0)
-            return false;
-    return true;
-}
-
-}  // namespace
-
-std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Path>& way) {
-    std::vector<Path> few;
-    for (std::size_t begin = 0; begin < way.size();) {
-        std::size_t end = begin;
-        while (end < way.size() && way[end].way == way[begin].way) ++end;
-        // Poses 0 to n of this move; a stretch from one to another is replaced if that meets nothing.
-        std::vector<Path> move(way.begin() + static_cast<std::ptrdiff_t>(begin),
-                               way.begin() + static_cast<std::ptrdiff_t>(end));
-        const std::size_t n = move.size();
-        const auto pose = [&](std::size_t i) { return i < n ? move[i].start : move.back().at(move.back().length); };
-        Pose at = pose(0);
-        const auto shortcut = [&](std::size_t to) {
-            for (std::vector<Path>& pieces : ways_between(at, pose(to), way[begin].way, place.radius)) {
-                if (!stays_in_chart(pieces)) continue;
-                if (std::all_of(pieces.begin(), pieces.end(), [&](const Path& piece) { return is_free(place, piece); }))
-                    return pieces;
-            }
-            return std::vector<Path>{};
-        };
-        for (std::size_t i = 0; i < n;) {
-            std::vector<Path> best;
-            std::size_t reached = i;
-            // The whole rest, or else as far as doubling and then halving of the step leads.
-            std::size_t step = n - i;
-            best = shortcut(n);
-            if (!best.empty()) {
-                reached = n;
-            } else {
-                for (step = 1; i + step < n; step *= 2) {
-                    std::vector<Path> pieces = shortcut(i + step);
-                    if (pieces.empty()) break;
-                    best = std::move(pieces);
-                    reached = i + step;
-                }
-                for (; step > 0; step /= 2) {
-                    if (reached + step >= n) continue;
-                    std::vector<Path> pieces = shortcut(reached + step);
-                    if (pieces.empty()) continue;
-                    best = std::move(pieces);
-                    reached += step;
-                }
-            }
-            if (best.empty()) {  // as it was
-                best = {move[i]};
-                best[0].start = at;
-                reached = i + 1;
-            }
-            for (Path piece : best) {
-                piece.start = at;
-                if (!few.empty() && few.back().way == piece.way && few.back().curvature == piece.curvature) {
-                    few.back().length += piece.length;
-                } else {
-                    few.push_back(piece);
-                }
-                at = few.back().at(few.back().length);
-            }
-            i = reached;
-        }
-        begin = end;
-    }
-    return few;
 }
 
 }  // namespace snug::detail::sets

@@ -1,4 +1,4 @@
-// From sets of y to a way to drive, from the very start: few arcs and straight lines, each checked by exact contact.
+// From sets of y to a way to drive, from the very start, each step checked by exact contact.
 #pragma once
 
 #include <vector>
@@ -25,10 +25,10 @@ struct InnerChain {
 /// sets. It may meet something between the nodes.
 std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& chain, const ChartPlace& place);
 
-/// The same moves with few pieces: as far as nothing is in the way, each stretch becomes the shortest way between its ends,
-/// which is an arc, a straight line and an arc.
-std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Path>& way);
-
+/// Whether the car is parked at a pose that is free.
+bool is_parked(const ChartPlace& place, const Pose& pose);
+/// Whether a piece meets nothing and stays in the region.
+bool is_free(const ChartPlace& place, const Path& piece);
 /// Whether nothing is met, the region is not left and the car is parked at the end.
 bool is_drivable(const ChartPlace& place, const std::vector<Path>& way);
 

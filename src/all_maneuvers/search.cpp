@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "contact/entering.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug::detail {
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "contact/parking.hpp"
 #include "contact/turning.hpp"
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug {
 
@@ -144,9 +145,19 @@ double turned(const QuarterHeading& from, const QuarterHeading& to) {
 }
 
 struct Turning {
+    TurningShape shape;
     TurningFrame frame;
     double x, y;
     QuarterHeading start;
+
+    Turning(const PlainMove& move, double offset, double centre_x, double centre_y)
+        : shape(move.problem),
+          frame(move.problem, shape, offset),
+          x(centre_x),
+          y(centre_y),
+          start(in_quarters(move.start.heading)) {
+        frame.see(move.problem, shape, start.quarter);
+    }
 };
 
 /// The contact of a turn, and the heading there.
@@ -161,17 +172,17 @@ TurnMet first_met_turning(const PlainMove& move, Turning& turn) {
     int index = frame.sector_of(now);
     for (int i = 0; i <= 4 * frame.per_quarter; ++i) {
         const Sector& sector = frame.at(now.quarter, index);
-        const First<Plain<double>> first = first_in_sector(frame, sector, turn.x, turn.y, move.problem, now.c, now.s);
+        const FoundAt first =
+            first_in_sector(frame, sector, move.problem, turn.x, turn.y, now.quarter, now.c, now.s);
         const bool full_circle = i == 4 * frame.per_quarter && first.order < turn.start.order() + full_circle_slack;
-        if (first.found.meets != Meets::nothing && !full_circle) {
+        if (first.meets != Meets::nothing && !full_circle) {
             const QuarterHeading at = {first.c, first.s, now.quarter};
-            const int part = part_met(frame, sector, first.found.meets, first.found.edge);
-            return {{turned(turn.start, at) / std::abs(move.curvature), first.found.meets, part}, at};
+            return {{turned(turn.start, at) / std::abs(move.curvature), first.meets, first.part}, at};
         }
         if (++index == frame.per_quarter) {
             index = 0;
             now = {0.0, 1.0, now.quarter + 1};
-            frame.see(move.problem, now.quarter);
+            frame.see(move.problem, turn.shape, now.quarter);
         } else {
             now = {sector.end_c, sector.end_s, now.quarter};
         }
@@ -377,15 +388,13 @@ FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, D
     move.problem.touch = touching_part * car.length();
 
     const bool straight = std::abs(curvature) < straight_bend;
-    Turning turn{};
+    std::optional<Turning> turn;
     TurnMet met{};
     if (!straight) {
         const double offset = 1.0 / curvature;
         const auto [sine, cosine] = angles::sine_cosine(move.start.heading);
-        turn = {TurningFrame(move.problem, offset), move.start.x - offset * sine, move.start.y + offset * cosine,
-                in_quarters(move.start.heading)};
-        turn.frame.see(move.problem, turn.start.quarter);
-        met.at = turn.start;
+        turn.emplace(move, offset, move.start.x - offset * sine, move.start.y + offset * cosine);
+        met.at = turn->start;
     }
     if (const std::optional<Meeting> already = overlapped(move)) {
         met.meeting = *already;
@@ -393,7 +402,7 @@ FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, D
         if (straight) {
             met.meeting = first_met_straight(move);
         } else {
-            met = first_met_turning(move, turn);
+            met = first_met_turning(move, *turn);
         }
         if (met.meeting.meets != Meets::nothing && met.meeting.distance > 0.0)
             met.meeting.distance = refined(move, met.meeting);
@@ -403,7 +412,7 @@ FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, D
     result.distance = met.meeting.distance;
     if (met.meeting.meets != Meets::nothing)
         result.contact = contact_of(car, slot, view, move.problem, met.meeting.meets, met.meeting.part);
-    result.inside = straight ? inside_straight(move, met.meeting.distance) : inside_turning(move, turn, met);
+    result.inside = straight ? inside_straight(move, met.meeting.distance) : inside_turning(move, *turn, met);
     return result;
 }
 

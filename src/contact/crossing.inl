@@ -49,6 +49,7 @@ SNUG_INLINE Real slope_of_root(const Real& towards, const Real& across) {
 template <class Real>
 struct SeenCorner {
     Real x, y, radius, per_square;
+    int index = 0;  ///< in its outline
 };
 
 /// A corner of the car and a wall that faces left (sign 1) or right (sign -1), `along` to the right of the centre.

@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "model/check.hpp"
+#include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::detail {
 
@@ -42,13 +43,15 @@ Obstacle other_end(Obstacle obstacle) {
 Problem entering_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked) {
     const bool low_curb = slot.curb() == Curb::low;
     const auto seen = [&](const Outline& outline) {
-        const Outline in_slot = slot.side() == Side::left ? outline.mirrored() : outline;
+        Outline in_slot = slot.side() == Side::left ? outline.mirrored() : outline;
         return driving.enter == Enter::forward ? in_slot.turned_about() : in_slot;
     };
-    const Outline frame = seen(car.outline());
-    Problem problem{frame.grown(driving.clearance),
-                    (low_curb ? seen(car.wheels()) : frame).grown(driving.at_curb()),
-                    frame,
+    Outline frame = seen(car.outline());
+    Outline body = frame.grown(driving.clearance);
+    Outline at_curb = low_curb ? seen(car.wheels()).grown(driving.at_curb()) : frame.grown(driving.at_curb());
+    Problem problem{std::move(body),
+                    std::move(at_curb),
+                    std::move(frame),
                     car.turning_radius(),
                     slot.length(),
                     slot.width(),
@@ -58,6 +61,17 @@ Problem entering_problem(const Car& car, const Slot& slot, const Driving& drivin
                     1e-13 * (car.length() + car.width() + driving.clearance + car.turning_radius())};
     if (driving.enter == Enter::forward) std::swap(problem.front_setback, problem.rear_setback);
     return problem;
+}
+
+LeastSlot least_slot(const Car& car, const Slot& slot, const Driving& driving) {
+    const auto kept_from = [&](double setback) { return setback > 0.0 ? 0.0 : driving.clearance; };
+    const Outline& stops = slot.curb() == Curb::low ? car.wheels() : car.outline();
+    const bool right = slot.side() == Side::right;
+    const double width = slot.curb() == Curb::low
+                             ? (right ? car.outline().left() + stops.right() : car.outline().right() + stops.left())
+                             : car.width();
+    return {car.length() + (kept_from(slot.front_setback()) + kept_from(slot.rear_setback())),
+            width + driving.at_curb()};
 }
 
 Pose to_world(const Slot& slot, Enter enter, const Pose& pose) {
@@ -77,11 +91,11 @@ Contact to_world(const Slot& slot, Enter enter, const Contact& contact) {
 }
 
 void check(const MaxSteerOptions& options) {
-    check_between("maximum of direction changes", options.max_changes, 0.0, 100000.0, "");
+    check_between("maximum of direction changes", options.max_changes, 0.0, limits::most_changes, "");
     snug::check(options.driving);
     snug::check(options.parked);
 }
 
-void check_entry_heading(double heading) { check_between("entry heading", heading, 0.0, 1.5707963267948966, " rad"); }
+void check_entry_heading(double heading) { check_between("entry heading", heading, 0.0, limits::quarter_turn, " rad"); }
 
 }  // namespace snug::detail

@@ -27,6 +27,14 @@ struct Problem {
 };
 Problem entering_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked = {});
 
+/// Whatever is shorter or narrower cannot hold the parallel car, with the clearance it keeps from neighbours and curb (none
+/// where a neighbour is set back). Of the slot only its side, setbacks and curb are looked at. [m]
+struct LeastSlot {
+    double length = 0.0;
+    double width = 0.0;
+};
+LeastSlot least_slot(const Car& car, const Slot& slot, const Driving& driving);
+
 /// From the entering frame to the world and back.
 Pose to_world(const Slot& slot, Enter enter, const Pose& pose);
 Pose to_entering(const Slot& slot, Enter enter, const Pose& pose);

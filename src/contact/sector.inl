@@ -31,10 +31,10 @@ struct InReach {
 /// edge's direction away from the foot of the centre.
 template <class N>
 struct SeenEdge {
-    typename N::Real nx, ny;            ///< outward normal
-    typename N::Real distance;          ///< from the centre, along the normal [m]
-    typename N::Real from, to;          ///< its ends, along the edge from the foot of the centre [m]
+    typename N::Real distance;              ///< from the centre, along the outward normal [m]
+    typename N::Real from, to;              ///< its ends, along the edge from the foot of the centre [m]
     typename N::Mask slips_back, slips_on;  ///< what meets the one or the other end misses the car
+    int index = 0;                          ///< in the outline: an edge follows its corner
 };
 
 /// How a part of the car and an obstacle stand at the start: closing in, or corner to corner and bound to miss each other.
@@ -68,7 +68,7 @@ struct First {
 
     /// `at_start` is asked only of what has its root near the start.
     template <class Ask>
-    SNUG_INLINE void consider(const Root<Real>& at, Mask exists, const Ask& at_start, Meets meets, int edge) {
+    SNUG_INLINE void consider(const Root<Real>& at, Mask exists, const Ask& at_start, Meets meets, int part) {
         const Real at_order = at.s - at.c;
         const Real later = start_order - at_order;
         const Mask possible = N::both(exists, later > N::set(-near_start));
@@ -91,19 +91,24 @@ struct First {
         if constexpr (N::alone) {
             found.across = at.across;
             found.meets = meets;
-            found.edge = edge;
+            found.part = part;
         }
     }
 
     /// A corner of the car meets the upright side of a neighbour, to the right (sign 1) or to the left (sign -1).
     template <int Sign>
     SNUG_INLINE void corner_meets_side(const SeenCorner<Real>& corner, Real along, Real above_top, Real touch, Meets meets) {
+        // What moves inward lies above the centre on its right and below it on its left, as far as the circle crosses squarely.
+        if constexpr (N::alone && Sign > 0) {
+            if (above_top > 2.0 * touch) return;
+        }
         const Crossing<Real> crossing = corner_on_wall<N, Sign>(corner, along);
-        Mask exists = crossing.square >= N::set(0.0);
-        if (N::none(exists)) return;
         const Root<Real> at = root<N>(crossing);
+        if constexpr (N::alone) {
+            if (!(Sign * at.across + above_top <= 2.0 * touch)) return;  // nor where there is no root
+        }
         const Real height = above_top + corner.x * at.s + corner.y * at.c;
-        exists = N::both(exists, height <= touch);
+        Mask exists = N::both(crossing.square >= N::set(0.0), height <= touch);
         if (N::none(exists)) return;
         const auto at_start = [&]() SNUG_LAMBDA {
             const Real start_x = corner.x * start_c - corner.y * start_s;
@@ -117,7 +122,7 @@ struct First {
         // Rounding may have lifted a corner that touches above the wall's end.
         const Mask lifted = height > N::set(0.0);
         if (!N::none(lifted)) exists = N::both(exists, N::either(N::opposite(lifted), at_start().touches));
-        consider(at, exists, at_start, meets, 0);
+        consider(at, exists, at_start, meets, corner.index);
     }
 
     SNUG_INLINE void corner_meets_curb(const SeenCorner<Real>& corner, Real above, Real touch) {
@@ -130,7 +135,7 @@ struct First {
             const Mask touching = N::both(N::abs(start_y + above) <= touch, start_x > N::set(0.0));
             return AtStart<N>{touching, start_x > start_x};
         };
-        consider(root<N>(crossing), exists, at_start, Meets::curb, 0);
+        consider(root<N>(crossing), exists, at_start, Meets::curb, corner.index);
     }
 
     /// The lowest corner comes down upon a neighbour, whose end at the slot lies `end` to the right of the centre.
@@ -154,12 +159,13 @@ struct First {
         };
         const Mask at_end = beyond_end <= touch;
         if (!N::none(at_end)) exists = N::both(exists, N::either(N::opposite(at_end), at_start().touches));
-        consider(at, exists, at_start, meets, 0);
+        consider(at, exists, at_start, meets, corner.index);
     }
 
-    /// A neighbour's corner (gx, gy), seen from the centre, meets an edge of the car.
-    SNUG_INLINE void edge_meets_corner(const SeenEdge<N>& edge, Real gx, Real gy, Real touch, Meets meets, int index) {
-        const Crossing<Real> crossing = point_on_edge<N>(gx, gy, edge.nx, edge.ny, edge.distance);
+    /// A neighbour's corner (gx, gy), seen from the centre, meets an edge of the car with the outward normal (nx, ny).
+    SNUG_INLINE void edge_meets_corner(const SeenEdge<N>& edge, Real nx, Real ny, Real gx, Real gy, Real touch,
+                                       Meets meets) {
+        const Crossing<Real> crossing = point_on_edge<N>(gx, gy, nx, ny, edge.distance);
         const Root<Real> at = root<N>(crossing);
         const Mask within = N::both(at.across <= edge.to + touch, at.across >= edge.from - touch);
         const Mask exists = N::both(crossing.square >= N::set(0.0), within);
@@ -167,15 +173,15 @@ struct First {
         const auto at_start = [&]() SNUG_LAMBDA {
             const Real start_x = gx * start_c + gy * start_s;
             const Real start_y = gy * start_c - gx * start_s;
-            const Real start_off = start_x * edge.nx + start_y * edge.ny;
-            const Real start_along = start_y * edge.nx - start_x * edge.ny;
+            const Real start_off = start_x * nx + start_y * ny;
+            const Real start_along = start_y * nx - start_x * ny;
             const Mask touching = N::both(N::abs(start_off - edge.distance) <= touch, start_along > N::set(0.0));
             const Mask beyond = N::both(start_along >= edge.to - touch, edge.slips_on);
             const Mask before = N::both(start_along <= edge.from + touch, edge.slips_back);
             const Mask slips = N::both(touching, N::either(beyond, before));
             return AtStart<N>{N::both(touching, N::opposite(slips)), slips};
         };
-        consider(at, exists, at_start, meets, index);
+        consider(at, exists, at_start, meets, edge.index);
     }
 
     /// Everything but the edges. `at_curb` is the lowest corner of what stops at the curb.

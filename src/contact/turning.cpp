@@ -45,28 +45,33 @@ std::vector<Border> borders(const Problem& problem) {
     return found;
 }
 
-/// Moves on to the corner of an outline that leads in a direction of the turned car's quarter; from one sector to the next
-/// it is a neighbour, and mostly the same.
-void lead(TurningCorner& corner, const Outline& outline, int quarter, const Point& centre, const Point& towards) {
+/// The corner of an outline that leads in a direction, as its own frame sees it; from one sector to the next it is a
+/// neighbour of the one before, and mostly the same.
+int leading(const Outline& outline, int before, const Point& own) {
     const std::vector<Point>& corners = outline.corners();
     const std::size_t count = corners.size();
-    const Point own = turned(towards, -quarter);
     const auto ahead_of = [&](std::size_t a, std::size_t b) {
         return (corners[a].x - corners[b].x) * own.x + (corners[a].y - corners[b].y) * own.y > 0.0;
     };
-    std::size_t best = static_cast<std::size_t>(corner.index);
+    std::size_t best = static_cast<std::size_t>(before);
     for (std::size_t next; ahead_of(next = best + 1 == count ? 0 : best + 1, best);) best = next;
     for (std::size_t next; ahead_of(next = best == 0 ? count - 1 : best - 1, best);) best = next;
-    if (corner.radius > 0.0 && static_cast<int>(best) == corner.index) return;
-    const Point seen = turned(corners[best], quarter);
-    corner = {seen.x - centre.x, seen.y - centre.y, static_cast<int>(best)};
+    return static_cast<int>(best);
 }
 
-/// The most that a c + b s is between two borders.
-double most_between(double a, double b, const Border& begin, const Border& end) {
-    const double radius = std::sqrt(a * a + b * b);
-    const double order = (b - a) / radius;
-    if (a >= 0.0 && b >= 0.0 && order <= begin.s - begin.c && order >= end.s - end.c) return radius;
+TurningCorner turned(TurningCorner corner, int quarter) {
+    const Point seen = turned(Point{corner.x, corner.y}, quarter);
+    corner.x = seen.x;
+    corner.y = seen.y;
+    return corner;
+}
+
+/// The most that a c + b s is between two borders; `radius` is that of (a, b).
+double most_between(double a, double b, double radius, const Border& begin, const Border& end) {
+    if (a >= 0.0 && b >= 0.0) {
+        const double order = (b - a) / radius;
+        if (order <= begin.s - begin.c && order >= end.s - end.c) return radius;
+    }
     return std::max(a * begin.c + b * begin.s, a * end.c + b * end.s);
 }
 
@@ -92,44 +97,37 @@ std::vector<Point> directions(const Outline& body) {
     return ways;
 }
 
-/// The edges of the body from one corner on to another that a point turning counter-clockwise about the centre can enter over.
-void add_edges(TurningFrame& frame, const Problem& problem, const std::vector<Point>& ways, int quarter,
-               const Point& centre, int from, int to, std::uint32_t& begin, std::uint32_t& end) {
-    const std::vector<Point>& corners = problem.body.corners();
-    const std::size_t count = corners.size();
-    const auto seen = [&](std::size_t i) {
-        const Point corner = turned(corners[i], quarter);
-        return Point{corner.x - centre.x, corner.y - centre.y};
-    };
-    const auto along = [](const Point& point, const Point& way) { return point.x * way.x + point.y * way.y; };
-    const double margin = 4.0 * problem.touch;
-    begin = static_cast<std::uint32_t>(frame.edges.size());
-    for (std::size_t i = static_cast<std::size_t>(from); i != static_cast<std::size_t>(to);) {
+/// The edges of the body, as far as a point turning counter-clockwise about the centre can enter over them.
+std::vector<TurningEdge> seen_edges(const std::vector<TurningCorner>& corners, const std::vector<Point>& ways,
+                                    double touch) {
+    const auto along = [](const TurningCorner& point, const Point& way) { return point.x * way.x + point.y * way.y; };
+    const double margin = 4.0 * touch;
+    const std::size_t count = ways.size();
+    std::vector<TurningEdge> edges;
+    edges.reserve(2 * count);
+    edges.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = i + 1 == count ? 0 : i + 1;
-        const Point way = turned(ways[i], quarter);
-        const Point a = seen(i);
-        const Point b = seen(next);
-        const double last = along(b, way);
-        if (last > 0.0) {
-            const double first = along(a, way);
-            const double distance = a.x * way.y - a.y * way.x;
-            const double near = std::max(0.0, first - margin);
-            const double far = last + margin;
-            TurningEdge& edge = frame.edges.emplace_back();
-            edge.nx = way.y;
-            edge.ny = -way.x;
-            edge.distance = distance;
-            edge.from = first;
-            edge.to = last;
-            edge.slips_back = along(a, turned(ways[i == 0 ? count - 1 : i - 1], quarter)) <= 0.0;
-            edge.slips_on = along(b, turned(ways[next], quarter)) <= 0.0;
-            edge.nearest_square = (near * near + distance * distance) * (1.0 - 1e-12);
-            edge.farthest_square = (far * far + distance * distance) * (1.0 + 1e-12);
-            edge.index = static_cast<int>(i);
-        }
-        i = next;
+        const Point& way = ways[i];
+        const TurningCorner& a = corners[i];
+        const TurningCorner& b = corners[next];
+        TurningEdge& edge = edges[i];
+        edge.distance = a.x * way.y - a.y * way.x;
+        edge.from = along(a, way);
+        edge.to = along(b, way);
+        edge.slips_back = along(a, ways[i == 0 ? count - 1 : i - 1]) <= 0.0;
+        edge.slips_on = along(b, ways[next]) <= 0.0;
+        edge.index = static_cast<int>(i);
+        const double near = std::max(0.0, edge.from - margin);
+        const double far = edge.to + margin;
+        const double square = edge.distance * edge.distance;
+        edge.nearest_square = (near * near + square) * (1.0 - 1e-12);
+        edge.farthest_square = edge.to > 0.0 ? (far * far + square) * (1.0 + 1e-12) : -1.0;
+        for (int quarter = 0; quarter < 4; ++quarter)
+            edge.normal[static_cast<std::size_t>(quarter)] = turned(Point{way.y, -way.x}, quarter);
     }
-    end = static_cast<std::uint32_t>(frame.edges.size());
+    for (std::size_t i = 0; i < count; ++i) edges.push_back(edges[i]);
+    return edges;
 }
 
 }  // namespace
@@ -141,28 +139,58 @@ QuarterHeading in_quarters(double heading) {
     return {std::max(0.0, c), s, static_cast<int>(-quarter)};
 }
 
-TurningFrame::TurningFrame(const Problem& problem, double offset)
-    : ends_(borders(problem)), ways_(directions(problem.body)), offset_(offset) {
-    per_quarter = static_cast<int>(ends_.size());
-    sectors.resize(4 * ends_.size());
-    edges.reserve(4 * ends_.size() + 4 * ways_.size());
+TurningShape::TurningShape(const Problem& problem)
+    : ends(borders(problem)),
+      ways(directions(problem.body)),
+      body_at_curb(problem.at_curb == problem.body),
+      body_is_frame(problem.frame == problem.body) {}
+
+TurningFrame::TurningFrame(const Problem& problem, const TurningShape& shape, double offset)
+    : per_quarter(static_cast<int>(shape.ends.size())) {
+    const auto add = [&](const Outline& outline) {
+        for (const Point& corner : outline.corners()) {
+            const double across = corner.y - offset;
+            const double square = corner.x * corner.x + across * across;
+            const int index = static_cast<int>(&corner - outline.corners().data());
+            corners_.push_back({corner.x, across, std::sqrt(square), 1.0 / square, index});
+        }
+    };
+    corners_.reserve(problem.body.corners().size() + (shape.body_at_curb ? 0 : problem.at_curb.corners().size()) +
+                     (shape.body_is_frame ? 0 : problem.frame.corners().size()));
+    add(problem.body);
+    if (!shape.body_at_curb) {
+        at_curb_ = corners_.size();
+        add(problem.at_curb);
+    }
+    if (!shape.body_is_frame) {
+        frame_ = corners_.size();
+        add(problem.frame);
+    }
+    edges = seen_edges(corners_, shape.ways, problem.touch);
+    sectors.resize(4 * shape.ends.size());
 }
 
-void TurningFrame::see(const Problem& problem, int any_quarter) {
+void TurningFrame::see(const Problem& problem, const TurningShape& shape, int any_quarter) {
     const int quarter = any_quarter & 3;
     if (seen_[static_cast<std::size_t>(quarter)]) return;
     seen_[static_cast<std::size_t>(quarter)] = true;
     const double margin = 4.0 * problem.touch;
-    const Point centre = turned({0.0, offset_}, quarter);
-    std::size_t index = static_cast<std::size_t>(quarter) * ends_.size();
+    const auto seen = [&](std::size_t of, int index) {
+        return turned(corners_[of + static_cast<std::size_t>(index)], quarter);
+    };
+    const auto point = [](const TurningCorner& corner) { return Point{corner.x, corner.y}; };
+    int lowest = 0;
+    int leftmost = 0;
+    int rightmost = 0;
+    int at_curb = 0;
+    int top = 0;
+    int frame_low = 0;
+    int frame_left = 0;
+    int frame_right = 0;
     Border begin = {0.0, 1.0};
-    bool another_quarter = true;
-    const bool body_at_curb = problem.at_curb == problem.body;
-    const bool body_is_frame = problem.frame == problem.body;
-    for (const Border& end : ends_) {
-        Sector& sector = sectors[index];
-        const Sector& before = another_quarter ? sector : sectors[index - 1];
-        ++index;
+    Sector* next = &sectors[static_cast<std::size_t>(quarter) * shape.ends.size()];
+    for (const Border& end : shape.ends) {
+        Sector& sector = *next++;
         sector.end_c = end.c;
         sector.end_s = end.s;
         const double begin_order = begin.s - begin.c;
@@ -170,68 +198,80 @@ void TurningFrame::see(const Problem& problem, int any_quarter) {
         if (end.s > 0.0) sector.end_order = end_order;
         const double c = begin.c + end.c;  // halfway, but for its length
         const double s = begin.s + end.s;
-        const Point down = {-s, -c};  // as the car sees it
-        const Point right = {c, -s};
-        const Point left = {-c, s};
-        const Point up = {s, c};
-        const auto leads = [&](TurningCorner Sector::*corner, const Outline& outline, const Point& towards) {
-            sector.*corner = before.*corner;
-            if (another_quarter) (sector.*corner).radius = 0.0;
-            lead(sector.*corner, outline, quarter, centre, towards);
-        };
-        leads(&Sector::lowest, problem.body, down);
-        leads(&Sector::leftmost, problem.body, left);
-        leads(&Sector::rightmost, problem.body, right);
-        if (body_at_curb) {
+        const Point down = turned(Point{-s, -c}, -quarter);  // as the car sees it
+        const Point right = turned(Point{c, -s}, -quarter);
+        const Point left = turned(Point{-c, s}, -quarter);
+        const Point up = turned(Point{s, c}, -quarter);
+        lowest = leading(problem.body, lowest, down);
+        leftmost = leading(problem.body, leftmost, left);
+        rightmost = leading(problem.body, rightmost, right);
+        sector.lowest = seen(0, lowest);
+        sector.leftmost = seen(0, leftmost);
+        sector.rightmost = seen(0, rightmost);
+        if (shape.body_at_curb) {
             sector.at_curb = sector.lowest;
         } else {
-            leads(&Sector::at_curb, problem.at_curb, down);
+            at_curb = leading(problem.at_curb, at_curb, down);
+            sector.at_curb = seen(at_curb_, at_curb);
         }
-        leads(&Sector::top, problem.frame, up);
-        if (body_is_frame) {
-            sector.frame_low = sector.lowest;
-            sector.frame_left = sector.leftmost;
-            sector.frame_right = sector.rightmost;
+        top = leading(problem.frame, top, up);
+        sector.top = seen(frame_, top);
+        if (shape.body_is_frame) {
+            sector.frame_low = point(sector.lowest);
+            sector.frame_left = point(sector.leftmost);
+            sector.frame_right = point(sector.rightmost);
         } else {
-            leads(&Sector::frame_low, problem.frame, down);
-            leads(&Sector::frame_left, problem.frame, left);
-            leads(&Sector::frame_right, problem.frame, right);
+            frame_low = leading(problem.frame, frame_low, down);
+            frame_left = leading(problem.frame, frame_left, left);
+            frame_right = leading(problem.frame, frame_right, right);
+            sector.frame_low = point(seen(frame_, frame_low));
+            sector.frame_left = point(seen(frame_, frame_left));
+            sector.frame_right = point(seen(frame_, frame_right));
         }
-        sector.reaches_right = most_between(sector.rightmost.x, -sector.rightmost.y, begin, end) + margin;
-        sector.reaches_left = most_between(-sector.leftmost.x, sector.leftmost.y, begin, end) + margin;
-        sector.reaches_down = most_between(-sector.at_curb.y, -sector.at_curb.x, begin, end) + margin;
+        const auto reach = [&](double a, double b, const TurningCorner& of) {
+            return most_between(a, b, of.radius, begin, end) + margin;
+        };
+        sector.reaches_right = reach(sector.rightmost.x, -sector.rightmost.y, sector.rightmost);
+        sector.reaches_left = reach(-sector.leftmost.x, sector.leftmost.y, sector.leftmost);
+        sector.reaches_down = reach(-sector.at_curb.y, -sector.at_curb.x, sector.at_curb);
         sector.graze_order = below_centre(sector.at_curb, begin_order, end_order);
         sector.dip_order = below_centre(sector.top, begin_order, end_order);
-        add_edges(*this, problem, ways_, quarter, centre, sector.lowest.index, sector.rightmost.index,
-                  sector.front_edges, sector.front_edges_end);
-        add_edges(*this, problem, ways_, quarter, centre, sector.leftmost.index, sector.lowest.index, sector.rear_edges,
-                  sector.rear_edges_end);
         begin = end;
-        another_quarter = false;
     }
 }
 
-TurningFrame turning_frame(const Problem& problem, double offset) {
-    TurningFrame frame(problem, offset);
-    for (int quarter = 0; quarter < 4; ++quarter) frame.see(problem, quarter);
+TurningFrame turning_frame(const Problem& problem, const TurningShape& shape, double offset) {
+    TurningFrame frame(problem, shape, offset);
+    for (int quarter = 0; quarter < 4; ++quarter) frame.see(problem, shape, quarter);
     return frame;
 }
 
-int part_met(const TurningFrame& frame, const Sector& sector, Meets meets, int edge) {
-    switch (meets) {
-        case Meets::front_side: return sector.rightmost.index;
-        case Meets::rear_side: return sector.leftmost.index;
-        case Meets::front_corner:
-        case Meets::rear_corner: return frame.edges[static_cast<std::size_t>(edge)].index;
-        case Meets::front_top:
-        case Meets::rear_top: return sector.lowest.index;
-        default: return sector.at_curb.index;
-    }
+FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
+                        int quarter, double c, double s) {
+    const Surroundings<double> around = {
+        x, y, problem.length, y + problem.width, y + problem.front_setback, y + problem.rear_setback, problem.touch};
+    First<Plain<double>> first(c, s, sector.end_order);
+    first.corners_meet(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around,
+                       {sector.reaches_right >= -x, sector.reaches_left >= x + problem.length,
+                        sector.reaches_down >= around.above_curb});
+    const TurningEdge* const edges = frame.edges.data();
+    const int count = static_cast<int>(frame.edges.size() / 2);
+    const auto edges_meet = [&](int from, int to, double gx, double gy, Meets meets) __attribute__((always_inline)) {
+        const double square = gx * gx + gy * gy;
+        const TurningEdge* const last = edges + (to < from ? to + count : to);
+        for (const TurningEdge* edge = edges + from; edge != last; ++edge) {
+            if (square < edge->nearest_square || square > edge->farthest_square) continue;
+            const Point& normal = edge->normal[static_cast<std::size_t>(quarter & 3)];
+            first.edge_meets_corner(*edge, normal.x, normal.y, gx, gy, problem.touch, meets);
+        }
+    };
+    edges_meet(sector.lowest.index, sector.rightmost.index, -x, -around.above_front, Meets::front_corner);
+    edges_meet(sector.leftmost.index, sector.lowest.index, -x - problem.length, -around.above_rear,
+               Meets::rear_corner);
+    first.settle();
+    return {first.found, first.c, first.s, first.order};
 }
 
-namespace {
-
-/// The part of an outline, named by where it is.
 CarPart corner_at(const Outline& outline, const Point& point) {
     const bool ahead = point.x > (outline.front() - outline.rear()) / 2.0;
     const bool to_the_left = point.y > (outline.left() - outline.right()) / 2.0;
@@ -249,6 +289,17 @@ CarPart edge_at(const Outline& outline, const Point& from, const Point& to) {
     return normal.y > 0.0 ? CarPart::left_edge : CarPart::right_edge;
 }
 
+CarPart wheel(CarPart corner) {
+    switch (corner) {
+        case CarPart::front_left_corner: return CarPart::front_left_wheel;
+        case CarPart::rear_left_corner: return CarPart::rear_left_wheel;
+        case CarPart::rear_right_corner: return CarPart::rear_right_wheel;
+        default: return CarPart::front_right_wheel;
+    }
+}
+
+namespace {
+
 Obstacle obstacle_of(Meets meets) {
     switch (meets) {
         case Meets::front_side:
@@ -258,15 +309,6 @@ Obstacle obstacle_of(Meets meets) {
         case Meets::rear_top: return Obstacle::rear_side;
         case Meets::rear_corner: return Obstacle::rear_corner;
         default: return Obstacle::curb;
-    }
-}
-
-CarPart wheel(CarPart corner) {
-    switch (corner) {
-        case CarPart::front_left_corner: return CarPart::front_left_wheel;
-        case CarPart::rear_left_corner: return CarPart::rear_left_wheel;
-        case CarPart::rear_right_corner: return CarPart::rear_right_wheel;
-        default: return CarPart::front_right_wheel;
     }
 }
 

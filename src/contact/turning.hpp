@@ -45,7 +45,7 @@ struct Found {
     double across = 0.0;  ///< the root taken: how squarely the circle crosses the line [m]
     Meets meets = Meets::nothing;
     unsigned ahead = 0;  ///< bits of everything that would be met in this sector, were nothing else in the way
-    int edge = 0;        ///< which of TurningFrame::edges, where one meets a corner
+    int part = -1;       ///< which corner or edge it is, by its index in the outline
 };
 
 #define SNUG_INLINE inline
@@ -85,16 +85,8 @@ struct QuarterHeading {
 /// That of any heading. [rad]
 QuarterHeading in_quarters(double heading);
 
-/// A corner of the outline, by its index, seen from the turning centre, x along the heading of the quarter.
-struct TurningCorner : SeenCorner<double> {
-    int index = 0;
-
-    TurningCorner() = default;
-    TurningCorner(double along, double across, int of = 0)
-        : SeenCorner<double>{along, across, std::sqrt(along * along + across * across),
-                             1.0 / (along * along + across * across)},
-          index(of) {}
-};
+/// A corner of the outline seen from the turning centre, x along the heading of the quarter.
+using TurningCorner = SeenCorner<double>;
 
 /// The outline while the same corners lead.
 struct Sector {
@@ -104,24 +96,21 @@ struct Sector {
     TurningCorner lowest;     ///< of the body
     TurningCorner leftmost;
     TurningCorner rightmost;
-    TurningCorner at_curb;                             ///< the lowest of what stops at the curb
-    TurningCorner top;                                 ///< the highest of the frame
-    TurningCorner frame_low, frame_left, frame_right;  ///< the others of the frame, for all that counts as parked
+    TurningCorner at_curb;                     ///< the lowest of what stops at the curb
+    TurningCorner top;                         ///< the highest of the frame
+    Point frame_low, frame_left, frame_right;  ///< the others of the frame, for all that counts as parked
     /// order() of the heading at which the corner at the curb is lowest, and the top is lowest; infinite if not in the sector.
     double graze_order = std::numeric_limits<double>::infinity();
     double dip_order = std::numeric_limits<double>::infinity();
     /// The most that these corners, and what stops at the curb, come to lie to the right, to the left and below the centre,
     /// and a little more: no obstacle farther off need be looked at. [m]
     double reaches_right = 0.0, reaches_left = 0.0, reaches_down = 0.0;
-    /// The edges from the lowest to the rightmost corner over which the front neighbour's corner can enter, and from the
-    /// leftmost to the lowest, for the rear one's.
-    std::uint32_t front_edges = 0, front_edges_end = 0, rear_edges = 0, rear_edges_end = 0;
 };
 
 /// An edge of the body, and how near and how far from the centre a point must be to meet it.
 struct TurningEdge : SeenEdge<Plain<double>> {
-    double nearest_square, farthest_square;  ///< a little less and a little more [m^2]
-    int index;                               ///< in the outline: an edge follows its corner
+    double nearest_square, farthest_square;  ///< a little less and a little more; none where nothing can enter [m^2]
+    std::array<Point, 4> normal;             ///< outward, in each quarter turn
 };
 
 /// The direction of a heading at which a sector ends, within its quarter turn.
@@ -129,17 +118,27 @@ struct Border {
     double c, s;
 };
 
+/// What does not depend on where the turning centre lies.
+struct TurningShape {
+    explicit TurningShape(const Problem& problem);
+
+    std::vector<Border> ends;  ///< of the sectors of any quarter
+    std::vector<Point> ways;   ///< directions of the body's edges
+    bool body_at_curb;         ///< the body is what stops at the curb
+    bool body_is_frame;
+};
+
 /// The outline all around one turning centre, or as much of it as has been looked at.
 struct TurningFrame {
     TurningFrame() = default;
-    /// Nothing seen yet. `offset`: how far the turning centre lies to the left of the rear axle's middle (negative: to the
+    /// No sector seen yet. `offset`: how far the turning centre lies to the left of the rear axle's middle (negative: to the
     /// right). [m]
-    TurningFrame(const Problem& problem, double offset);
+    TurningFrame(const Problem& problem, const TurningShape& shape, double offset);
     /// Works out the sectors of a quarter turn, unless that is done.
-    void see(const Problem& problem, int any_quarter);
+    void see(const Problem& problem, const TurningShape& shape, int any_quarter);
 
-    std::vector<Sector> sectors;  ///< quarter by quarter, as many in each, in the order of falling headings
-    std::vector<TurningEdge> edges;
+    std::vector<Sector> sectors;     ///< quarter by quarter, as many in each, in the order of falling headings
+    std::vector<TurningEdge> edges;  ///< as the outline counts them, twice around
     int per_quarter = 1;
 
     /// The sector of a quarter, counted on from the quarter's first.
@@ -152,48 +151,41 @@ struct TurningFrame {
         while (sector + 1 < per_quarter && heading.order() <= at(heading.quarter, sector).end_order) ++sector;
         return sector;
     }
+    /// Outward normal of an edge in a quarter turn.
+    [[nodiscard]] const Point& normal(int quarter, int edge) const {
+        return edges[static_cast<std::size_t>(edge)].normal[static_cast<std::size_t>(quarter & 3)];
+    }
 
 private:
-    std::vector<Border> ends_;  ///< of the sectors of any quarter
-    std::vector<Point> ways_;   ///< directions of the body's edges
-    double offset_ = 0.0;
+    std::vector<TurningCorner> corners_;  ///< of the body, what stops at the curb and the frame, in the first quarter
+    std::size_t at_curb_ = 0, frame_ = 0;  ///< where theirs begin
     std::array<bool, 4> seen_ = {};
 };
 
 /// All of it.
-TurningFrame turning_frame(const Problem& problem, double offset);
+TurningFrame turning_frame(const Problem& problem, const TurningShape& shape, double offset);
 
 /// Height of a corner at a heading of its quarter, the centre being at y.
 inline double height_of(const TurningCorner& corner, double y, double c, double s) {
     return y + corner.x * s + corner.y * c;
 }
 
-/// First contact while turning clockwise about (x, y) within a sector, from the heading (c, s).
-inline First<Plain<double>> first_in_sector(const TurningFrame& frame, const Sector& sector, double x, double y,
-                                            const Problem& problem, double start_c, double start_s) {
-    const Surroundings<double> around = {
-        x, y, problem.length, y + problem.width, y + problem.front_setback, y + problem.rear_setback, problem.touch};
-    First<Plain<double>> first(start_c, start_s, sector.end_order);
-    first.corners_meet(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around,
-                       {sector.reaches_right >= -x, sector.reaches_left >= x + problem.length,
-                        sector.reaches_down >= around.above_curb});
-    const auto edges_meet = [&](std::uint32_t from, std::uint32_t to, double gx, double gy, Meets meets) {
-        const double square = gx * gx + gy * gy;
-        for (std::uint32_t i = from; i != to; ++i) {
-            const TurningEdge& edge = frame.edges[i];
-            if (square >= edge.nearest_square && square <= edge.farthest_square)
-                first.edge_meets_corner(edge, gx, gy, problem.touch, meets, static_cast<int>(i));
-        }
-    };
-    edges_meet(sector.front_edges, sector.front_edges_end, -x, -around.above_front, Meets::front_corner);
-    edges_meet(sector.rear_edges, sector.rear_edges_end, -x - problem.length, -around.above_rear, Meets::rear_corner);
-    first.settle();
-    return first;
-}
+/// A first contact and its heading.
+struct FoundAt : Found {
+    double c, s;
+    double order;  ///< -2 if there is none
+};
 
-/// Which corner or edge it is that meets something in a sector, by its index in the outline.
-int part_met(const TurningFrame& frame, const Sector& sector, Meets meets, int edge);
-/// What that is called in the world.
+/// First contact while turning clockwise about (x, y) within a sector of a quarter turn, from the heading (c, s).
+FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
+                        int quarter, double c, double s);
+
+/// The part of an outline at one of its corners, or along one of its edges, named by where it is.
+CarPart corner_at(const Outline& outline, const Point& point);
+CarPart edge_at(const Outline& outline, const Point& from, const Point& to);
+/// The wheel in that quarter of the car.
+CarPart wheel(CarPart corner);
+/// What is met is called so in the world.
 Contact contact_of(const Car& car, const Slot& slot, Enter enter, const Problem& problem, Meets meets, int part);
 
 }  // namespace snug::detail

@@ -7,7 +7,7 @@
 #include "contact/entering.hpp"
 #include "contact/entry_corner.hpp"
 #include "full_steering/cases.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug {
 

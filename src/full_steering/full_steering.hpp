@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "contact/entry_corner.hpp"
 #include "contact/parking.hpp"
@@ -23,12 +24,12 @@ struct FullSteering {
     bool height_decides;    ///< see by_height_alone()
     EntryShape entry;       ///< the body at the entry position
 
-    explicit FullSteering(const Problem& of)
-        : problem(of),
-          backward(turning_frame(of, of.radius)),
-          forward(turning_frame(of, -of.radius)),
-          height_decides(by_height_alone(of)),
-          entry(of) {}
+    explicit FullSteering(Problem of)
+        : problem(std::move(of)), height_decides(by_height_alone(problem)), entry(problem) {
+        const TurningShape shape(problem);
+        backward = turning_frame(problem, shape, problem.radius);
+        forward = turning_frame(problem, shape, -problem.radius);
+    }
 };
 
 /// What one move did.
@@ -88,41 +89,45 @@ public:
     [[nodiscard]] double x() const { return x_; }
     [[nodiscard]] double y() const { return y_; }
 
-    /// Drives the next move to its contact. A move without contact (a full circle) leaves the car where it was.
     template <bool Slope>
     FullMove drive() {
+        FullMove move;
+        drive<Slope>(move);
+        return move;
+    }
+    /// Drives the next move to its contact, and fills in a new `move`. A move without contact (a full circle) leaves the car
+    /// where it was.
+    template <bool Slope>
+    void drive(FullMove& move) {
         const TurningFrame& frame = backward_ ? steering_->backward : steering_->forward;
         const int around = 4 * frame.per_quarter;
-        FullMove move;
-        QuarterHeading now = heading_;
+        double end_slope = heading_slope_;  // of the heading at the move's end
+        QuarterHeading now = {heading_.c, heading_.s, heading_.quarter};
         int index = sector_;
         const Sector* sector = &frame.at(now.quarter, index);
         move.depth = height_of(sector->top, y_, now.c, now.s);
         if constexpr (Slope) move.depth_slope = y_slope_ + slope_of_height(sector->top, now) * heading_slope_;
         for (int sectors = 0;; ++sectors) {
-            const First<Plain<double>> first =
-                first_in_sector(frame, *sector, x_, y_, steering_->problem, now.c, now.s);
-            Found contact = first.found;
+            const FoundAt first =
+                first_in_sector(frame, *sector, steering_->problem, x_, y_, now.quarter, now.c, now.s);
+            const Found& contact = first;
             // A full circle ends where it began, whatever rounding makes of touching there.
-            if (sectors == around && first.order < heading_.order() + 1e-4) contact.meets = Meets::nothing;
-            const bool met = contact.meets != Meets::nothing;
+            const bool full_circle = sectors == around && first.order < heading_.order() + 1e-4;
+            const bool met = contact.meets != Meets::nothing && !full_circle;
             if constexpr (Slope) note_graze(*sector, now, met ? contact.meets : Meets::nothing, first.order, move);
             if (sector->dip_order <= now.order() && !(met && first.order > sector->dip_order))
                 note_depth(y_ - sector->top.radius, y_slope_, move);
             if (met) {
                 move.meets = contact.meets;
                 move.ahead = contact.ahead;
-                move.part = part_met(frame, *sector, contact.meets, contact.edge);
+                move.part = contact.part;
                 move.stuck = sectors == 0 && first.order == heading_.order();  // and the heading stays as it is
                 if (!move.stuck) {
                     now.c = first.c;
                     now.s = first.s;
                 }
                 if constexpr (Slope) {
-                    if (!move.stuck)
-                        end_slope_ = end_slope_at(frame, contact, now);
-                    else
-                        end_slope_ = heading_slope_;
+                    if (!move.stuck) end_slope = end_slope_at(frame, contact, now);
                 }
                 break;
             }
@@ -143,20 +148,19 @@ public:
             const double height = height_of(sector->top, y_, now.c, now.s);
             if (height < move.depth) {
                 move.depth = height;
-                if constexpr (Slope) move.depth_slope = y_slope_ + slope_of_height(sector->top, now) * end_slope_;
+                if constexpr (Slope) move.depth_slope = y_slope_ + slope_of_height(sector->top, now) * end_slope;
             }
         }
-        if (!steering_->height_decides) miss_parking(frame, now, met, move);
-        if (!met) return move;
+        if (!steering_->height_decides) miss_parking(frame, now, met, end_slope, move);
+        if (!met) return;
         if constexpr (Slope) {
-            move.end_slope = end_slope_;
+            move.end_slope = end_slope;
             move.graze_slope = y_slope_;
             if (backward_ && now.quarter == 1) note_clearings(*sector, move);
-            heading_slope_ = end_slope_;
+            heading_slope_ = end_slope;
         }
         sector_ = index;
         turn_over(now);
-        return move;
     }
 
 private:
@@ -172,10 +176,11 @@ private:
     }
 
     /// The depth where more than the height decides.
-    void miss_parking(const TurningFrame& frame, const QuarterHeading& end, bool met, FullMove& move) const {
+    void miss_parking(const TurningFrame& frame, const QuarterHeading& end, bool met, double end_slope,
+                      FullMove& move) const {
         const QuarterHeading to = met ? end : QuarterHeading{heading_.c, heading_.s, heading_.quarter + 4};
         const Miss miss = least_miss({&frame, &steering_->problem, x_, y_, x_slope_, y_slope_}, heading_, to,
-                                     heading_slope_, met ? end_slope_ : heading_slope_);
+                                     heading_slope_, end_slope);
         move.depth = miss.excess;
         move.depth_slope = miss.slope;
     }
@@ -186,9 +191,9 @@ private:
             case Meets::rear_side: return slope_of_root(-x_slope_, contact.across);
             case Meets::front_corner:
             case Meets::rear_corner: {
-                const TurningEdge& edge = frame.edges[static_cast<std::size_t>(contact.edge)];
-                const double nx = edge.nx * at.c - edge.ny * at.s;
-                const double ny = edge.nx * at.s + edge.ny * at.c;
+                const Point& normal = frame.normal(at.quarter, contact.part);
+                const double nx = normal.x * at.c - normal.y * at.s;
+                const double ny = normal.x * at.s + normal.y * at.c;
                 return slope_of_root(nx * x_slope_ + ny * y_slope_, contact.across);
             }
             default: return slope_of_root(-y_slope_, contact.across);
@@ -197,9 +202,11 @@ private:
 
     /// The lowest corner's circle reaches down to y - radius; note it where the move sweeps that point or meets the curb.
     void note_graze(const Sector& sector, const QuarterHeading& from, Meets meets, double order, FullMove& move) const {
-        if (from.quarter < 0 || from.quarter > 1 || sector.graze_order > from.order()) return;
-        if (meets != Meets::nothing && meets != Meets::curb && order > sector.graze_order) return;
-        move.graze[static_cast<std::size_t>(from.quarter)] = y_ + steering_->problem.width - sector.at_curb.radius;
+        const bool early = static_cast<unsigned>(from.quarter) <= 1U;
+        const bool reached = sector.graze_order <= from.order();
+        const bool stopped = meets != Meets::nothing && meets != Meets::curb && order > sector.graze_order;
+        if (static_cast<int>(early) & static_cast<int>(reached) & static_cast<int>(!stopped))  // one jump
+            move.graze[static_cast<std::size_t>(from.quarter)] = y_ + steering_->problem.width - sector.at_curb.radius;
     }
 
     void note_clearings(const Sector& sector, FullMove& move) const {
@@ -237,8 +244,11 @@ private:
     double x_slope_ = 0.0;
     double y_slope_ = 0.0;
     double heading_slope_ = 1.0;
-    double end_slope_ = 1.0;  ///< of the heading at the move's end
     bool backward_ = true;
 };
+
+/// The maneuver from an entry position, as snug::max_steer() gives it; heading and options are checked.
+MaxSteerRun max_steer(const Car& car, const Slot& slot, const FullSteering& steering, double heading,
+                      const MaxSteerOptions& options);
 
 }  // namespace snug::detail

@@ -137,7 +137,8 @@ private:
         run.first = moves_.size();
         FullSteeringRun car(steering_, heading);
         for (int n = 0; n <= last_move; ++n) {
-            const FullMove& move = moves_.emplace_back(car.drive<true>());
+            FullMove& move = moves_.emplace_back();
+            car.drive<true>(move);
             if (move.depth <= 0.0) {
                 run.changes = n;
                 found_ = true;
@@ -199,12 +200,13 @@ private:
         for (std::size_t n = 0; n < moves; ++n) {
             const FullMove& a = move(left, n);
             const FullMove& b = move(right, n);
-            smooth = smooth && a.meets == b.meets && a.part == b.part && a.quarter == b.quarter;
+            const bool alike = a.meets == b.meets && a.quarter == b.quarter;
+            smooth = smooth && alike && a.part == b.part;
             const double first = a.graze[0] * b.graze[0];  // NaN unless both moves sweep that point
             const double second = a.graze[1] * b.graze[1];
             if (first < 0.0) return split_at_root(left, right, n, first_graze);
             if (second < 0.0) return split_at_root(left, right, n, second_graze);
-            if (jump_between(a, b)) {
+            if (!alike && jump_between(a, b)) {
                 if (a.tail_clears * b.tail_clears < 0.0) return split_at_root(left, right, n, tail_clears);
                 if (a.nose_clears * b.nose_clears < 0.0) return split_at_root(left, right, n, nose_clears);
                 return split(left, right, 0.5);
@@ -319,7 +321,7 @@ private:
         run.first = moves_.size();
         FullSteeringRun car(steering_, heading);
         for (std::size_t i = 0; i <= n; ++i) {
-            moves_.push_back(car.drive<true>());
+            car.drive<true>(moves_.emplace_back());
             if (ended(run)) break;
         }
         run.count = moves_.size() - run.first;

@@ -168,13 +168,11 @@ public:
         First<Lanes> first(start_c, start_s, hn::Set(reals, -2.0));
         first.corners_meet(lowest, leftmost, rightmost, lowest, {x, y, length, y + width, y, y, touch});
         const Real minus_one = hn::Set(reals, -1.0);
-        const SeenEdge<Lanes> front = {zero,        minus_one,        hn::Neg(lowest.y), lowest.x,
-                                       rightmost.x, lowest.y >= zero, lowest.y <= zero};
-        first.edge_meets_corner(front, zero - x, zero - y, touch, Meets::front_corner, 0);
-        const SeenEdge<Lanes> rear = {
-            minus_one,       zero, hn::Neg(lowest.x), hn::Neg(leftmost.y), hn::Neg(lowest.y), lowest.x >= zero,
-            lowest.x <= zero};
-        first.edge_meets_corner(rear, zero - x - length, zero - y, touch, Meets::rear_corner, 0);
+        const SeenEdge<Lanes> front = {hn::Neg(lowest.y), lowest.x, rightmost.x, lowest.y >= zero, lowest.y <= zero};
+        first.edge_meets_corner(front, zero, minus_one, zero - x, zero - y, touch, Meets::front_corner);
+        const SeenEdge<Lanes> rear = {hn::Neg(lowest.x), hn::Neg(leftmost.y), hn::Neg(lowest.y), lowest.x >= zero,
+                                      lowest.x <= zero};
+        first.edge_meets_corner(rear, minus_one, zero, zero - x - length, zero - y, touch, Meets::rear_corner);
         first.settle();
 
         const Real top_x = pick(Frames::top_x);

@@ -77,17 +77,22 @@ MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering
 
 }  // namespace
 
-MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const MaxSteerOptions& options) {
-    check(options);
-    check_entry_heading(heading);
-    const FullSteering steering(entering_problem(car, slot, options.driving, options.parked));
-    if (!lies_in(detail::possible_headings(steering.problem, steering.entry), heading))
+MaxSteerRun detail::max_steer(const Car& car, const Slot& slot, const FullSteering& steering, double heading,
+                              const MaxSteerOptions& options) {
+    if (!lies_in(possible_headings(steering.problem, steering.entry), heading))
         return {Outcome::no_entry, {car, {}}};
     const FullSteeringRun at_entry(steering, heading);
     const double radius = steering.problem.radius;
     const QuarterHeading& way = at_entry.heading();
     return drive(car, slot, steering, at_entry, {at_entry.x() + radius * way.s, at_entry.y() - radius * way.c, heading},
                  false, options);
+}
+
+MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const MaxSteerOptions& options) {
+    check(options);
+    check_entry_heading(heading);
+    const FullSteering steering(entering_problem(car, slot, options.driving, options.parked));
+    return detail::max_steer(car, slot, steering, heading, options);
 }
 
 MaxSteerRun max_steer(const Car& car, const Slot& slot, const Pose& pose, Direction direction,

@@ -1,12 +1,15 @@
 #include "snug/driving.hpp"
 
-#include "model/check.hpp"
+#include <limits>
+
+#include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 
 void check(const Driving& driving) {
-    check_between("clearance", driving.clearance, 0.0, 1e6, " m");
-    check_between("clearance from the curb", driving.at_curb(), 0.0, 1e6, " m");
+    check_between("clearance", driving.clearance, 0.0, limits::longest, " m");
+    check_between("clearance from the curb", driving.at_curb(), 0.0, limits::longest, " m");
 }
 
 void check(const Parked& parked) {
@@ -14,7 +17,5 @@ void check(const Parked& parked) {
     check_between("largest heading of the parked car", parked.heading, 0.0, infinity, " rad");
     check_between("largest distance of the parked car from the curb", parked.curb, 0.0, infinity, " m");
 }
-
-std::string_view to_string(Enter enter) { return enter == Enter::backward ? "backward" : "forward"; }
 
 }  // namespace snug

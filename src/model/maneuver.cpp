@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug {
 namespace {

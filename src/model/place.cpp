@@ -78,6 +78,11 @@ Place::Place(PlaceDescription description) : description_(std::move(description)
     }
 }
 
+std::string Place::name_of(std::size_t obstacle) const {
+    const std::string& name = description_.obstacles[obstacle].name;
+    return name.empty() ? "obstacle [" + std::to_string(obstacle) + "]" : name;
+}
+
 namespace {
 
 /// The street as if on the right, along x, with the corner at the origin; and the way into the world.

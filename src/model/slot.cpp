@@ -5,17 +5,12 @@
 
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
-namespace {
-
-constexpr double shortest = 1e-6;  // [m]
-constexpr double longest = 1e6;    // [m]
-constexpr double farthest = 1e9;   // [m], and the largest heading [rad]
-
-}  // namespace
 
 Slot::Slot(const SlotDimensions& dimensions) : dimensions_(dimensions) {
+    using namespace limits;
     check_between("slot length", dimensions.length, shortest, longest, " m");
     check_between("slot width", dimensions.width, shortest, longest, " m");
     check_between("slot corner x", dimensions.corner.x, -farthest, farthest, " m");

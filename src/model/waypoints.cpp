@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "model/angles.hpp"
-#include "model/check.hpp"
+#include "sentences/check.hpp"
 
 namespace snug {
 namespace {

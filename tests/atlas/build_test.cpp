@@ -78,10 +78,10 @@ void expect_same_moves(const std::vector<AtlasMove>& stored, const std::optional
 }
 
 /// The five cars of the paper in slots from too small to roomy.
-AtlasPlan five_cars(AtlasStrategy strategy, int widths, int lengths) {
+AtlasPlan five_cars(Strategy strategy, int widths, int lengths) {
     AtlasPlan plan = {catalogue(), steps(1.6, 1.2 / widths, widths), steps(4.0, 3.0 / lengths, lengths), {}};
     plan.options.strategy = strategy;
-    if (strategy == AtlasStrategy::fewest) {
+    if (strategy == Strategy::fewest) {
         plan.options.resolution = 0.01;
         plan.options.max_changes = 12;
     }
@@ -91,7 +91,7 @@ AtlasPlan five_cars(AtlasStrategy strategy, int widths, int lengths) {
 TEST(AtlasBuild, CellsAreWhatEntryAnswers) {
     const Folder folder;
     const bool small = sample(2, 60) < 60;
-    const AtlasPlan plan = five_cars(AtlasStrategy::max_steer, small ? 8 : 60, small ? 15 : 150);
+    const AtlasPlan plan = five_cars(Strategy::max_steer, small ? 8 : 60, small ? 15 : 150);
     built(folder.file("db"), plan);
     const AtlasDatabase database(folder.file("db"));
     EXPECT_EQ(database.stored(), database.cells());
@@ -127,7 +127,7 @@ TEST(AtlasBuild, CellsAreWhatEntryAnswers) {
 TEST(AtlasBuild, CellsAreWhatFewestAnswers) {
     const Folder folder;
     const bool small = sample(2, 60) < 60;
-    const AtlasPlan plan = five_cars(AtlasStrategy::fewest, small ? 4 : 12, small ? 5 : 30);
+    const AtlasPlan plan = five_cars(Strategy::fewest, small ? 4 : 12, small ? 5 : 30);
     built(folder.file("db"), plan);
     const AtlasDatabase database(folder.file("db"));
     Random random(2);
@@ -166,12 +166,11 @@ std::string exported(const std::string& path) {
 }
 
 TEST(AtlasBuild, BetweenGridPointsWhatIsDrivenIsFreeOfContact) {
-    for (const AtlasStrategy strategy : {AtlasStrategy::max_steer, AtlasStrategy::fewest}) {
+    for (const Strategy strategy : {Strategy::max_steer, Strategy::fewest}) {
         const Folder folder;
         const bool small = sample(2, 60) < 60;
-        built(folder.file("db"), strategy == AtlasStrategy::max_steer
-                                     ? five_cars(strategy, small ? 8 : 60, small ? 15 : 150)
-                                     : five_cars(strategy, small ? 4 : 12, small ? 5 : 30));
+        built(folder.file("db"), strategy == Strategy::max_steer ? five_cars(strategy, small ? 8 : 60, small ? 15 : 150)
+                                                                 : five_cars(strategy, small ? 4 : 12, small ? 5 : 30));
         const std::string bytes = exported(folder.file("db"));
         const Atlas atlas(std::as_bytes(std::span(bytes)));
         Random random(3);
@@ -284,7 +283,7 @@ TEST(AtlasBuild, NeverMixes) {
         EXPECT_NE(said.find(words), said.npos) << words << " is not in: " << said;
     };
     expect("another strategy: max-steer, not fewest",
-           [](AtlasPlan& plan) { plan.options.strategy = AtlasStrategy::fewest; });
+           [](AtlasPlan& plan) { plan.options.strategy = Strategy::fewest; });
     expect("maximum of direction changes: none given, not 10", [](AtlasPlan& plan) { plan.options.max_changes = 10; });
     expect("clearance: 0 m, not 0.1 m", [](AtlasPlan& plan) { plan.options.driving.clearance = 0.1; });
     expect("least range of headings: 0 rad, not 0.001 rad", [](AtlasPlan& plan) { plan.options.min_range = 0.001; });

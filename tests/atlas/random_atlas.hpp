@@ -89,13 +89,13 @@ inline AtlasMove random_move(Random& random, const Car& car) {
 inline CellAnswer random_answer(Random& random, const Car& car, const AtlasOptions& options) {
     CellAnswer answer;
     const int allowed = options.max_changes.value_or(200);
-    if (options.strategy == AtlasStrategy::fewest) {
+    if (options.strategy == Strategy::fewest) {
         answer.lower_bound = random.below(4) * (allowed + 1) / 3;
         answer.proved = random.chance(0.5);
     }
     if (random.chance(0.4)) return answer;
     answer.direction_changes = random.below(allowed + 1);
-    if (options.strategy == AtlasStrategy::max_steer) {
+    if (options.strategy == Strategy::max_steer) {
         for (int i = random.below(random.chance(0.1) ? 40 : 4); i >= 0; --i)
             answer.ranges.push_back({random.unit(), random.unit(), random.below(allowed + 1), random.below(9)});
     }
@@ -112,7 +112,7 @@ inline WrittenAtlas random_atlas(Random& random, int most_cars = 4, int most_wid
     atlas.plan.widths = random_axis(random, most_widths);
     atlas.plan.lengths = random_axis(random, most_lengths);
     AtlasOptions& options = atlas.plan.options;
-    options.strategy = random.chance(0.5) ? AtlasStrategy::max_steer : AtlasStrategy::fewest;
+    options.strategy = random.chance(0.5) ? Strategy::max_steer : Strategy::fewest;
     if (random.chance(0.5)) options.max_changes = random.below(30);
     if (random.chance(0.5)) options.min_range = random.unit();
     if (random.chance(0.5)) options.resolution = random.unit();

@@ -93,7 +93,7 @@ TEST(AtlasReader, MapsAFileAndMoves) {
 std::pair<AtlasVerdict, std::pair<double, double>> plain_look_up(const WrittenAtlas& atlas, std::size_t car,
                                                                  double length, double width, int& lower_bound) {
     const AtlasPlan& plan = atlas.plan;
-    const bool fewest = plan.options.strategy == AtlasStrategy::fewest;
+    const bool fewest = plan.options.strategy == Strategy::fewest;
     const CellAnswer* below = nullptr;
     const CellAnswer* above = nullptr;
     std::pair<double, double> at_below = {-infinity, -infinity};

@@ -147,7 +147,7 @@ TEST(BadInput, OnlyWordsThatAreNearAreSuggested) {
     suggests("entyr --car mid-size", "entry");
     suggests("slot", "min-slot");
     suggests("--verison", "--version");
-    suggests_nothing("park", "write entry, min-slot, leave, atlas, cars or paper, or --help");
+    suggests_nothing("drive-in", "write entry, min-slot, park, leave, atlas, cars or paper, or --help");
     suggests_nothing("-x", "--help");
     suggests_nothing(std::string(100'000, 'e'), "--help");
     suggests("cars vw", "vw-transporter");

@@ -201,8 +201,8 @@ TEST(Entry, PicturesAreWrittenInTheFormatOfTheirName) {
 }
 
 TEST(Help, ExplainsUnitsAndExitCodesInEightyColumns) {
-    for (const std::string command :
-         {"--help", "-h", "entry --help", "min-slot --help", "cars --help", "entry --car renault-zoe -h"}) {
+    for (const std::string command : {"--help", "-h", "entry --help", "min-slot --help", "park --help", "cars --help",
+                                      "entry --car renault-zoe -h"}) {
         const Result result = run(command);
         EXPECT_EQ(result.exit_code, 0);
         EXPECT_EQ(result.err, "");

@@ -14,7 +14,7 @@ int main() {
     const snug::Slot slot({.length = 5.0, .width = 2.1});
     const std::string picture = snug::draw_maneuver(car, slot, snug::entry(car, slot), snug::PictureFormat::svg);
     const std::string nothing = snug::solve(car, 2.1, 5.0, {})->direction_changes ? "" : "out";
-    std::cout << "with" << nothing << " an answer for the atlas, " << snug::min_lengths(car, {2.0, 2.2}, {1, 2}).size()
+    std::cout << "with" << nothing << " an answer for the atlas, " << snug::min_slots(car, {2.0, 2.2}, {1, 2}).size()
               << " slots, a picture that begins with " << picture.substr(0, 5) << ", a car that is "
               << snug::as_json(car)["width"] << " m wide\n";
 }

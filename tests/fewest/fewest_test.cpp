@@ -95,9 +95,10 @@ TEST(Fewest, WhereNothingCanTurnOrMoveItIsProvedImpossible) {
         EXPECT_FALSE(answer.direction_changes);
         EXPECT_TRUE(answer.proved);
     }
-    snug::FewestLengthOptions options;
+    snug::MinSlotOptions options;
+    options.strategy = snug::Strategy::fewest;
     options.max_changes = 20;
-    EXPECT_FALSE(min_length_fewest(car, car.width(), options).length);
+    EXPECT_FALSE(min_slot(car, car.width(), options).length);
     // As long, but so wide that a long thin car stands in it tilted.
     Case tilted;
     tilted.car = {.width = 1.054, .front = 6.141, .rear = 0.463, .wheelbase = 5.752, .max_steer = 0.653};

@@ -97,18 +97,19 @@ TEST(MinLength, IsDemonstratedAboveAndImpossibleBelow) {
     const Car zoe = *snug::find_car("renault-zoe");
     double last_length = 1e9;
     for (const int changes : {0, 2, 4}) {
-        snug::FewestLengthOptions options;
+        snug::MinSlotOptions options;
+        options.strategy = snug::Strategy::fewest;
         options.max_changes = changes;
         options.resolution = 4e-3;
-        const snug::FewestLength found = min_length_fewest(zoe, 1.9, options);
+        const snug::MinSlot found = min_slot(zoe, 1.9, options);
         ASSERT_TRUE(found.length);
-        EXPECT_LT(found.length_lower, *found.length);
-        EXPECT_LT(*found.length - found.length_lower, 0.03);
+        EXPECT_LT(found.lower, *found.length);
+        EXPECT_LT(*found.length - found.lower, 0.03);
         EXPECT_LT(*found.length, last_length);
         last_length = *found.length;
-        const auto full_steering = min_length(zoe, 1.9, {.max_changes = changes});
-        EXPECT_LE(*found.length, full_steering->length);
-        EXPECT_GE(full_steering->length, found.length_lower);
+        const snug::MinSlot full_steering = min_slot(zoe, 1.9, {.max_changes = changes});
+        EXPECT_LE(*found.length, *full_steering.length);
+        EXPECT_GE(*full_steering.length, found.lower);
         FewestOptions there;
         there.max_changes = changes;
         const Answer parks = fewest(zoe, Slot({.length = *found.length + 1e-9, .width = 1.9}), there);
@@ -117,7 +118,7 @@ TEST(MinLength, IsDemonstratedAboveAndImpossibleBelow) {
 }
 
 TEST(MinLength, IsEmptyWhereTheCarIsTooWide) {
-    const snug::FewestLength found = min_length_fewest(*snug::find_car("renault-zoe"), 1.7, {});
+    const snug::MinSlot found = min_slot(*snug::find_car("renault-zoe"), 1.7, {.strategy = snug::Strategy::fewest});
     EXPECT_FALSE(found.length);
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/random_cases.hpp"
+#include "oracle/random_outlines.hpp"
 #include "snug/min_slot.hpp"
 
 namespace oracle {
@@ -21,9 +21,16 @@ struct MinSlotCase {
     double min_range = 0.0;
 
     double given() const { return length_sought ? asked.slot.width : asked.slot.length; }
+    /// What holds the parallel car, with what it keeps from neighbours that are not set back and from the curb.
     double least() const {
-        return length_sought ? asked.car_length() + 2 * asked.driving.clearance
-                             : asked.car.width + asked.driving.clearance;
+        const auto kept = [&](double setback) { return setback > 0 ? 0.0 : asked.driving.clearance; };
+        if (length_sought) return asked.car_length() + (kept(asked.slot.front_setback) + kept(asked.slot.rear_setback));
+        double across = asked.car.width;
+        if (asked.slot.curb == snug::Curb::low) {
+            const snug::Car car = asked.made_car();
+            across = car.outline().left() + car.wheels().right();
+        }
+        return std::max({across + asked.driving.at_curb(), asked.slot.front_setback, asked.slot.rear_setback});
     }
     Case in_slot_of(double size) const {
         Case sized = asked;
@@ -60,6 +67,22 @@ inline MinSlotCase random_min_slot_case(std::uint64_t seed, std::uint64_t index,
     chosen.asked.slot.length =
         chosen.asked.car_length() + 2 * chosen.asked.driving.clearance + random.between(0.4, 2.0);
     chosen.max_changes = random.chance(0.8) ? random.below(13) : random.below(60);
+    return chosen;
+}
+
+/// The same between any neighbours, half of them with any outline.
+inline MinSlotCase random_neighbours_case(std::uint64_t seed, std::uint64_t index) {
+    MinSlotCase chosen = random_min_slot_case(seed, index, Cars::any);
+    Random random(seed * 0x9E3779B97F4A7C15ULL + index * 0xBF58476D1CE4E5B9ULL + 11);
+    if (random.chance(0.5)) {
+        const double wider = chosen.asked.slot.width - chosen.asked.car.width;
+        const double longer = chosen.asked.slot.length - chosen.asked.car_length();
+        choose_outline(random, chosen.asked);
+        chosen.asked.slot.width = chosen.asked.car.width + wider;
+        chosen.asked.slot.length = chosen.asked.car_length() + longer;
+    }
+    chosen.max_changes = random.below(9);
+    choose_neighbours(random, chosen.asked);
     return chosen;
 }
 

@@ -11,6 +11,7 @@
 
 #include "attack.hpp"
 #include "oracle/follower.hpp"
+#include "oracle/plain_search.hpp"
 #include "sample.hpp"
 #include "snug/snug.hpp"
 #include "snug/sweep.hpp"
@@ -21,31 +22,35 @@ namespace {
 constexpr double tenth_of_a_millimetre = 1e-4;
 constexpr double resolution = 1e-7;  // what the solver promises [m]
 
+/// Empty where nothing within the limits will do.
 std::optional<snug::MinSlot> smallest(const MinSlotCase& asked) {
     snug::MinSlotOptions options;
     options.max_changes = asked.max_changes;
     options.min_range = asked.min_range;
-    options.driving.clearance = asked.asked.driving.clearance;
-    options.driving.enter = asked.asked.driving.enter;
-    const snug::Car car(asked.asked.car, asked.asked.car_name);
-    return asked.length_sought ? snug::min_length(car, asked.given(), options)
-                               : snug::min_width(car, asked.given(), options);
+    options.driving = asked.asked.driving;
+    options.parked = asked.asked.parked;
+    options.front_setback = asked.asked.slot.front_setback;
+    options.rear_setback = asked.asked.slot.rear_setback;
+    options.curb = asked.asked.slot.curb;
+    options.sought = asked.length_sought ? snug::Sought::length : snug::Sought::width;
+    const snug::MinSlot slot = min_slot(asked.asked.made_car(), asked.given(), options);
+    return slot.size(options.sought) ? std::optional(slot) : std::nullopt;
 }
 
 double size_of(const MinSlotCase& asked, const snug::MinSlot& slot) {
-    return asked.length_sought ? slot.length : slot.width;
+    return asked.length_sought ? slot.length.value() : slot.width.value();
 }
 
 /// Runs `attack`, which answers with what is wrong, on random cases on all cores.
-template <class Attack>
-void attack_all(int usual, int full, Cars cars, std::uint64_t stream, const Attack& attack) {
+template <class Choose, class Attack>
+void attack_chosen(int usual, int full, std::uint64_t stream, const Choose& choose, const Attack& attack) {
     const std::uint64_t seed = snug::test::number("SNUG_SEED", 1) + stream, first = snug::test::number("SNUG_FIRST", 0);
     const std::uint64_t cases = snug::test::number("SNUG_CASES", std::uint64_t(snug::test::sample(usual, full)));
     std::atomic<std::uint64_t> next{0};
     std::mutex mutex;
     const auto work = [&] {
         for (std::uint64_t i = next++; i < cases; i = next++) {
-            const std::string wrong = attack(random_min_slot_case(seed, first + i, cars), first + i);
+            const std::string wrong = attack(choose(seed, first + i), first + i);
             const std::lock_guard lock(mutex);
             if (!wrong.empty()) ADD_FAILURE() << "case " << first + i << ": " << wrong;
             if (i % 50 == 49) std::printf("%d of %d\n", int(i + 1), int(cases)), std::fflush(stdout);
@@ -56,6 +61,13 @@ void attack_all(int usual, int full, Cars cars, std::uint64_t stream, const Atta
     for (std::thread& thread : threads) thread.join();
 }
 
+template <class Attack>
+void attack_all(int usual, int full, Cars cars, std::uint64_t stream, const Attack& attack) {
+    attack_chosen(
+        usual, full, stream,
+        [cars](std::uint64_t seed, std::uint64_t index) { return random_min_slot_case(seed, index, cars); }, attack);
+}
+
 /// A tenth of a millimetre more room, and a maneuver exists: driven by the oracle, and followed pose by pose. The solver
 /// only proposes it, for the headings that park are few, and move while the slot grows.
 std::string attack_from_above(const MinSlotCase& asked, double size) {
@@ -63,7 +75,8 @@ std::string attack_from_above(const MinSlotCase& asked, double size) {
     snug::EntryOptions options;
     options.max_changes = asked.max_changes;
     options.driving = sized.driving;
-    const snug::Answer answer = snug::entry(snug::Car(sized.car, sized.car_name), snug::Slot(sized.slot), options);
+    options.parked = sized.parked;
+    const snug::Answer answer = snug::entry(sized.made_car(), sized.made_slot(), options);
     if (!answer.maneuver) return "no maneuver in a slot 0.1 mm larger, " + asked.line(size);
     const double sign = sized.driving.enter == snug::Enter::backward ? 1.0 : -1.0;
     const double heading = sign * into_slot(sized.slot, answer.maneuver->entry()).heading;
@@ -108,11 +121,78 @@ TEST(MinSlot, AreLargeEnoughAndNoneSmallerIs) {
         if (!slot) return attack_from_below(asked, asked.least() + 4.0, index);
         ++answers;
         const double size = size_of(asked, *slot);
-        if (std::string wrong = attack_in_place(asked, size, slot->entry_heading); !wrong.empty()) return wrong;
+        if (std::string wrong = attack_in_place(asked, size, slot->entry_heading.value()); !wrong.empty()) return wrong;
         if (std::string wrong = attack_from_above(asked, size); !wrong.empty()) return wrong;
         return attack_from_below(asked, size - tenth_of_a_millimetre, index);
     });
     std::printf("%d minima\n", answers.load());
+}
+
+TEST(MinSlot, AreSoBetweenAnyNeighboursToo) {
+    std::atomic<int> answers{0};
+    attack_chosen(30, 600, 4, random_neighbours_case,
+                  [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
+                      const std::optional<snug::MinSlot> slot = smallest(asked);
+                      if (!slot) return attack_from_below(asked, asked.least() + 4.0, index);
+                      ++answers;
+                      const double size = size_of(asked, *slot);
+                      if (std::string wrong = attack_in_place(asked, size, *slot->entry_heading); !wrong.empty())
+                          return wrong;
+                      if (std::string wrong = attack_from_above(asked, size); !wrong.empty()) return wrong;
+                      return attack_from_below(asked, size - tenth_of_a_millimetre, index);
+                  });
+    std::printf("%d minima\n", answers.load());
+    EXPECT_GT(answers, 0);
+}
+
+/// Over all maneuvers: a way in is followed pose by pose at the size found, and below the other a plain search, which knows
+/// nothing of lattices, finds none.
+TEST(MinSlot, OverAllManeuversLieBetweenTwoSizes) {
+    std::atomic<int> answers{0};
+    attack_chosen(6, 60, 5, random_neighbours_case, [&](MinSlotCase asked, std::uint64_t index) -> std::string {
+        asked.max_changes %= 4;
+        asked.asked.driving.enter = snug::Enter::backward;
+        if (!asked.length_sought) asked.asked.parked.curb = std::numeric_limits<double>::infinity();
+        snug::MinSlotOptions options;
+        options.strategy = snug::Strategy::fewest;
+        options.sought = asked.length_sought ? snug::Sought::length : snug::Sought::width;
+        options.max_changes = asked.max_changes;
+        options.driving = asked.asked.driving;
+        options.parked = asked.asked.parked;
+        options.front_setback = asked.asked.slot.front_setback;
+        options.rear_setback = asked.asked.slot.rear_setback;
+        options.curb = asked.asked.slot.curb;
+        options.precision = 2e-2;
+        options.resolution = 2e-3 * asked.asked.car_length();
+        const snug::MinSlot slot = min_slot(asked.asked.made_car(), asked.given(), options);
+        const std::optional<double>& size = slot.size(options.sought);
+        if (size) {
+            ++answers;
+            if (!(slot.lower <= *size)) return "the sizes are the wrong way round, " + asked.line(*size);
+            const Case sized = asked.in_slot_of(*size + 1e-9);
+            snug::FewestOptions there;
+            there.max_changes = asked.max_changes;
+            there.driving = sized.driving;
+            there.parked = sized.parked;
+            there.resolution = options.resolution / 2;
+            there.roomiest = false;
+            const snug::Answer answer = fewest(sized.made_car(), sized.made_slot(), there);
+            if (!answer.maneuver) return "no maneuver in the slot found, " + asked.line(*size);
+            for (const std::string& fault : faults(sized, *answer.maneuver, *answer.direction_changes))
+                return fault + ", " + asked.line(*size);
+        }
+        Random random(index + 2000);
+        const double below = slot.lower - random.between(1e-6, 0.1);
+        const Case small = asked.in_slot_of(below);
+        const double deepest = std::max(small.slot.front_setback, small.slot.rear_setback);
+        if (below <= asked.asked.car_length() / 2 || small.slot.width <= std::max(deepest, small.car.width / 2))
+            return {};
+        PlainSearch search(small, asked.max_changes);
+        if (search.changes()) return "parks in a slot proved too small:\n" + search.way_out() + asked.line(below);
+        return {};
+    });
+    std::printf("%d sizes\n", answers.load());
+    EXPECT_GT(answers, 0);
 }
 
 TEST(MinSlot, WithRoomForADriverHoldAStretchAndNoneSmallerDoes) {
@@ -124,11 +204,11 @@ TEST(MinSlot, WithRoomForADriverHoldAStretchAndNoneSmallerDoes) {
         if (slot) {
             const auto problem = asked.problem<long double>(size);
             for (int i = -100; i <= 100; ++i) {
-                const double heading = slot->entry_heading + asked.min_range / 2 * (i / 100.0) * (1 - 1e-5);
+                const double heading = *slot->entry_heading + asked.min_range / 2 * (i / 100.0) * (1 - 1e-5);
                 if (!run(problem, static_cast<long double>(heading), asked.max_changes).parked()) {
                     std::ostringstream text;
                     text.precision(17);
-                    text << "does not park with " << heading << ", off " << slot->entry_heading << ": "
+                    text << "does not park with " << heading << ", off " << *slot->entry_heading << ": "
                          << asked.line(size);
                     return text.str();
                 }
@@ -153,7 +233,7 @@ TEST(MinSlot, AreFoundWhereALongerSlotIsHarder) {
     EXPECT_TRUE(parking_heading(asked, 6.70, 1e-4, 0.5));
     const std::optional<snug::MinSlot> slot = smallest(asked);
     ASSERT_TRUE(slot);
-    EXPECT_NEAR(slot->length, 6.50, 0.01);
+    EXPECT_NEAR(*slot->length, 6.50, 0.01);
 
     // And a wider one is, for a car that turns on the spot, almost.
     asked.asked.car = {2.352, 2.194, 1.246, 1.721, 0.9155};
@@ -163,8 +243,8 @@ TEST(MinSlot, AreFoundWhereALongerSlotIsHarder) {
     asked.asked.slot.width = 3.2;
     const std::optional<snug::MinSlot> wide = smallest(asked);
     ASSERT_TRUE(narrow && wide);
-    EXPECT_GT(wide->length, narrow->length + 0.05);
-    EXPECT_FALSE(parking_heading(asked, wide->length - 0.05, 1e-4, 0.5));
+    EXPECT_GT(*wide->length, *narrow->length + 0.05);
+    EXPECT_FALSE(parking_heading(asked, *wide->length - 0.05, 1e-4, 0.5));
 }
 
 TEST(MinSlot, ShortestAndNarrowestAreEachOthersInverse) {
@@ -172,8 +252,8 @@ TEST(MinSlot, ShortestAndNarrowestAreEachOthersInverse) {
         const std::optional<snug::MinSlot> slot = smallest(asked);
         if (!slot) return {};
         MinSlotCase other = asked;
-        other.asked.slot.length = slot->length;
-        other.asked.slot.width = slot->width;
+        other.asked.slot.length = *slot->length;
+        other.asked.slot.width = *slot->width;
         other.length_sought = !asked.length_sought;
         const std::optional<snug::MinSlot> back = smallest(other);
         // It cannot need more than what was given; what it needs instead cannot do with less than what was found.
@@ -218,23 +298,28 @@ TEST(MinSlot, ACurveIsMadeOfTheSameAnswers) {
             widths.push_back(car.width() + extra);
             lengths.push_back(car.length() + 3 * extra);
         }
-        const auto compare = [&](const std::vector<snug::MinSlotRow>& rows, bool length) {
+        const auto compare = [&](snug::Sought sought) {
+            const bool length = sought == snug::Sought::length;
+            const std::vector<double>& given = length ? widths : lengths;
+            const std::vector<snug::MinSlot> rows = snug::min_slots(car, given, counts, {.sought = sought});
             ASSERT_EQ(rows.size(), counts.size() * widths.size());
             for (std::size_t i = 0; i < rows.size(); ++i) {
                 snug::MinSlotOptions options;
                 options.max_changes = rows[i].max_changes;
                 EXPECT_EQ(rows[i].max_changes, counts[i / widths.size()]);
-                EXPECT_EQ(rows[i].given, (length ? widths : lengths)[i % widths.size()]);
-                const auto alone =
-                    length ? min_length(car, rows[i].given, options) : min_width(car, rows[i].given, options);
-                ASSERT_EQ(rows[i].slot.has_value(), alone.has_value()) << car.name() << ' ' << rows[i].given;
-                if (!alone) continue;
-                EXPECT_NEAR(rows[i].slot->length, alone->length, resolution) << car.name() << ' ' << rows[i].given;
-                EXPECT_NEAR(rows[i].slot->width, alone->width, resolution) << car.name() << ' ' << rows[i].given;
+                options.sought = sought;
+                const double asked = given[i % given.size()];
+                EXPECT_EQ(length ? rows[i].width : rows[i].length, asked);
+                const snug::MinSlot alone = min_slot(car, asked, options);
+                ASSERT_EQ(rows[i].size(sought).has_value(), alone.size(sought).has_value())
+                    << car.name() << ' ' << asked;
+                if (!alone.size(sought)) continue;
+                EXPECT_NEAR(*rows[i].length, *alone.length, resolution) << car.name() << ' ' << asked;
+                EXPECT_NEAR(*rows[i].width, *alone.width, resolution) << car.name() << ' ' << asked;
             }
         };
-        compare(snug::min_lengths(car, widths, counts), true);
-        compare(snug::min_widths(car, lengths, counts), false);
+        compare(snug::Sought::length);
+        compare(snug::Sought::width);
     }
 }
 
@@ -243,12 +328,12 @@ TEST(MinSlot, ThePapersLoopNeedsMore) {
     for (const snug::Car& car : snug::catalogue()) {
         const std::vector<double> widths = {car.width() + 0.25, car.width() + 0.4};
         const std::vector<int> counts = {1, 4};
-        const auto loop = snug::min_lengths_by_stepping(car, widths, counts, coarse, 0.02);
-        const auto exact = snug::min_lengths(car, widths, counts);
+        const auto loop = snug::min_slots_by_stepping(car, widths, counts, coarse, 0.02);
+        const auto exact = snug::min_slots(car, widths, counts);
         for (std::size_t i = 0; i < exact.size(); ++i) {
-            if (!loop[i].slot) continue;
-            ASSERT_TRUE(exact[i].slot);
-            EXPECT_GT(loop[i].slot->length, exact[i].slot->length) << car.name() << ' ' << exact[i].given;
+            if (!loop[i].length) continue;
+            ASSERT_TRUE(exact[i].length);
+            EXPECT_GT(*loop[i].length, *exact[i].length) << car.name() << ' ' << *exact[i].width;
         }
     }
 }
@@ -259,7 +344,7 @@ TEST(MinSlot, ValuesOfTheTheoryNotes) {
         const snug::Car car = *snug::find_car(name);
         snug::MinSlotOptions options;
         options.max_changes = changes;
-        return snug::min_length(car, car.width() + 0.6, options)->length - car.length();
+        return *min_slot(car, car.width() + 0.6, options).length - car.length();
     };
     constexpr double millimetre = 1e-3;
     EXPECT_NEAR(extra("renault-zoe", 20), 0.4094, millimetre);

@@ -11,6 +11,7 @@
 #include "park/random_places.hpp"
 #include "sample.hpp"
 #include "snug/fewest.hpp"
+#include "snug/leave.hpp"
 #include "snug/park.hpp"
 
 namespace {
@@ -72,6 +73,30 @@ TEST(ParkLaws, MoreRoadSmallerCarsAndLongerSlotsAreNoHarder) {
         if (depth_in_place(bay->car, street_place(bay->street), there) > -1e-6) continue;
         EXPECT_LE(park(bay->car, street_place(bay->street), there, quick()).lower_bound, left)
             << "from the middle of move " << at;
+    }
+}
+
+/// Driven the other way round, a maneuver in leads out with as many changes, and one out leads in.
+TEST(ParkLaws, LeavingIsParkingDrivenTheOtherWayRound) {
+    const int count = snug::test::sample(12, 200);
+    for (int i = 0; i < count; ++i) {
+        const auto bay = random_bay(static_cast<std::uint64_t>(500000 + i));
+        if (!bay) continue;
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + described(bay->car, bay->street, bay->start));
+        Street street = bay->street;
+        Pose start = standard_start(street, bay->car);  // along the street, as the car is to leave
+        if (depth_in_place(bay->car, street_place(street), start) > -1e-3) continue;
+        const auto in = park(bay->car, street_place(street), start, quick());
+        if (!in.maneuver || in.maneuver->moves.empty()) continue;
+        const Pose goal = in.maneuver->goal();
+        if (depth_in_place(bay->car, street_place(street), goal) > -1e-6) continue;
+        const auto out = leave(bay->car, street, goal, quick());
+        EXPECT_LE(out.lower_bound, *in.direction_changes);
+        if (!out.maneuver || out.maneuver->moves.empty()) continue;
+        EXPECT_EQ(verdict(bay->car, road_place(street), goal, out), "");
+        const Pose road = out.maneuver->goal();
+        if (depth_in_place(bay->car, street_place(street), road) > -1e-6) continue;
+        EXPECT_LE(park(bay->car, street_place(street), road, quick()).lower_bound, *out.direction_changes);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "park/judge.hpp"
 #include "park/random_places.hpp"
@@ -39,6 +40,37 @@ TEST(Park, EveryManeuverParksWithoutTouchingAnything) {
     }
     RecordProperty("found", found);
     std::printf("%d of %d found, %d proved, %d starts refused\n", found, count, proved, refused);
+    EXPECT_GE(found, count / 3);
+}
+
+/// The maneuver a person is given, and the other ways beside it.
+TEST(Park, PolishedManeuversAndAlternativesParkWithoutTouchingAnything) {
+    const int count = snug::test::sample(30, 1000);
+    int found = 0, others = 0;
+    for (int i = 0; i < count; ++i) {
+        const Case asked = random_case(static_cast<std::uint64_t>(600000 + i));
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
+        if (depth_in_place(asked.car, asked.place, asked.start) > -1e-6 || outside_region(asked.place, asked.start) > 0)
+            continue;
+        snug::ParkOptions options;
+        options.resolution = 0.04;
+        options.max_changes = 8;
+        snug::ParkAnswer answer = park(asked.car, asked.place, asked.start, options);
+        if (!answer.maneuver) continue;
+        ++found;
+        EXPECT_EQ(verdict(asked.car, asked.place, asked.start, answer), "");
+        EXPECT_EQ(answer.stops.size(), asked.place.obstacles().empty() ? 0U : answer.maneuver->moves.size());
+        int before = *answer.direction_changes;
+        for (const snug::Maneuver& other : std::vector<snug::Maneuver>(answer.alternatives)) {
+            ++others;
+            EXPECT_GT(other.direction_changes(), before);
+            before = other.direction_changes();
+            answer.maneuver = other;
+            answer.direction_changes = before;
+            EXPECT_EQ(verdict(asked.car, asked.place, asked.start, answer), "");
+        }
+    }
+    std::printf("%d of %d found, %d other ways\n", found, count, others);
     EXPECT_GE(found, count / 3);
 }
 

@@ -209,8 +209,7 @@ TEST(Laws, ASlotLacksWhatTheCarAndItsClearanceNeed) {
         Random random(std::uint64_t(i) + 1);
         asked.slot.length *= random.between(0.5, 1.2);
         asked.slot.width *= random.between(0.5, 1.2);
-        const snug::Shortfall lacks =
-            snug::shortfall(snug::Car(asked.car), snug::Slot(asked.slot), asked.driving.clearance);
+        const snug::Shortfall lacks = snug::shortfall(snug::Car(asked.car), snug::Slot(asked.slot), asked.driving);
         EXPECT_NEAR(lacks.length, std::max(0.0, asked.car_length() + 2 * asked.driving.clearance - asked.slot.length),
                     1e-12);
         EXPECT_NEAR(lacks.width, std::max(0.0, asked.car.width + asked.driving.clearance - asked.slot.width), 1e-12);
@@ -289,9 +288,9 @@ TEST(Laws, SteppingConvergesToTheExactAnswerAsItsStepsShrink) {
         int found = -1;
         for (const double step : {1e-3, 1e-4, 2e-5}) {
             stepping.step = step;
-            options.strategy = stepping;
             options.max_changes = *exact.direction_changes + 3;
-            found = ask(asked, options).direction_changes.value_or(1000);
+            found = snug::entry(snug::Car(asked.car), snug::Slot(asked.slot), options, stepping)
+                        .direction_changes.value_or(1000);
             if (found == *exact.direction_changes) break;
         }
         EXPECT_EQ(found, *exact.direction_changes) << command_line(asked) << " range width " << width;

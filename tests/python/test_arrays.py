@@ -41,28 +41,28 @@ def test_sizes_are_broadcast():
     one = snug.entries(CAR, 4.5, 2.0)
     assert one.shape == () and one["direction_changes"] == 18
     assert snug.entries(CAR, [], []).shape == snug.entries(CAR, [], 2.0).shape == (0,)
-    assert snug.min_lengths(CAR, [1.9, 2.0, 2.1], [2, 5]).shape == (2, 3)
-    assert snug.min_lengths(CAR, 2.0, [2, 5]).shape == (2,) and snug.min_lengths(CAR, [1.9, 2.0], 2).shape == (2,)
-    assert snug.min_widths(CAR, [[4.8, 5.0]], [2]).shape == (1, 1, 2)
-    assert snug.min_lengths(CAR, [], [1, 2]).shape == (2, 0) and snug.min_lengths(CAR, [2.0], []).shape == (0, 1)
-    assert snug.min_lengths_fewest(CAR, [2.2, 2.3], [0, 1, 2], precision=0.1, resolution=0.02).shape == (3, 2)
+    assert snug.min_slots(CAR, [2, 5], widths=[1.9, 2.0, 2.1]).shape == (2, 3)
+    assert snug.min_slots(CAR, [2, 5], widths=2.0).shape == (2,) and snug.min_slots(CAR, 2, widths=[1.9, 2.0]).shape == (2,)
+    assert snug.min_slots(CAR, [2], lengths=[[4.8, 5.0]]).shape == (1, 1, 2)
+    assert snug.min_slots(CAR, [1, 2], widths=[]).shape == (2, 0) and snug.min_slots(CAR, [], widths=[2.0]).shape == (0, 1)
+    assert snug.min_slots(CAR, [0, 1, 2], widths=[2.2, 2.3], strategy="fewest", precision=0.1, resolution=0.02).shape == (3, 2)
 
 
 def test_minimum_slots_are_those_of_one_at_a_time():
-    rows = snug.min_lengths(CAR, [1.78, 2.0], [1, 5])
+    rows = snug.min_slots(CAR, [1, 5], widths=[1.78, 2.0])
     for i, changes in enumerate([1, 5]):
         for k, width in enumerate([1.78, 2.0]):
-            one = snug.min_length(CAR, width, max_changes=changes)
-            assert math.isnan(rows[i, k]["length"]) if one is None else abs(one.length - rows[i, k]["length"]) < 1e-6
+            one = snug.min_slot(CAR, width=width, max_changes=changes)
+            assert math.isnan(rows[i, k]["length"]) if one.length is None else abs(one.length - rows[i, k]["length"]) < 1e-6
     options = dict(precision=0.02, resolution=0.01)
-    rows = snug.min_lengths_fewest(CAR, [2.1, 2.3], [0, 2], **options)
+    rows = snug.min_slots(CAR, [0, 2], widths=[2.1, 2.3], strategy="fewest", **options)
     for i, changes in enumerate([0, 2]):
         for k, width in enumerate([2.1, 2.3]):
-            one = snug.min_length_fewest(CAR, width, max_changes=changes, **options)
+            one = snug.min_slot(CAR, width=width, strategy="fewest", max_changes=changes, **options)
             assert rows[i, k]["length"] == pytest.approx(one.length, abs=0.03)
-            assert rows[i, k]["length_lower"] <= rows[i, k]["length"]
+            assert 0 < rows[i, k]["lower"] <= rows[i, k]["length"]
     steps = snug.Stepping(step=0.01, heading_step=0.01)
-    assert snug.min_lengths(CAR, [2.2], [5], stepping=steps, step=0.05)["length"] >= snug.min_length(CAR, 2.2, max_changes=5).length
+    assert snug.min_slots(CAR, [5], widths=[2.2], strategy=steps, step=0.05)["length"] >= snug.min_slot(CAR, width=2.2, max_changes=5).length
 
 
 def test_counts_from_many_headings():
@@ -82,7 +82,7 @@ def test_answers_are_the_same_for_any_number_of_threads(threads):
     assert same(snug.entries(CAR, lengths, widths, threads=threads), snug.entries(CAR, lengths, widths))
     headings = np.linspace(0.3, 0.7, 9000)
     assert same(snug.direction_changes(CAR, SLOT, headings, threads=threads), snug.direction_changes(CAR, SLOT, headings))
-    assert same(snug.min_lengths(CAR, widths[:9], [1, 3], threads=threads), snug.min_lengths(CAR, widths[:9], [1, 3]))
+    assert same(snug.min_slots(CAR, [1, 3], widths=widths[:9], threads=threads), snug.min_slots(CAR, [1, 3], widths=widths[:9]))
 
 
 def test_arrays_of_any_kind():
@@ -118,13 +118,13 @@ def test_arrays_of_any_kind():
     (lambda: snug.direction_changes(CAR, 4.5, [0.1]), TypeError, "slot must be"),
     (lambda: snug.direction_changes(CAR, (4.5, "w"), [0.1]), TypeError, "widths must be"),
     (lambda: snug.direction_changes(CAR, ([4.5, 5], 2), [0.1, 0.2, 0.3]), snug.Error, "headings (3,)"),
-    (lambda: snug.min_lengths(CAR, [2.0], [1.5]), TypeError, "max_changes must be an array of whole numbers"),
-    (lambda: snug.min_lengths(CAR, [2.0], [1, -2]), snug.Error, "max_changes[1] is -2"),
-    (lambda: snug.min_lengths(CAR, [2.0], [10**12]), snug.Error, "max_changes is too large"),
-    (lambda: snug.min_lengths(CAR, [2.0], [2**64]), TypeError, "max_changes must be"),
-    (lambda: snug.min_lengths(CAR, [2.0, math.nan], [1]), snug.Error, "widths[1] is nan m"),
-    (lambda: snug.min_widths(CAR, [0.0], [1]), snug.Error, "lengths[0] is 0 m"),
-    (lambda: snug.min_lengths_fewest(CAR, [math.nan], [1]), snug.Error, "widths[0] is nan m"),
+    (lambda: snug.min_slots(CAR, [1.5], widths=[2.0]), TypeError, "max_changes must be an array of whole numbers"),
+    (lambda: snug.min_slots(CAR, [1, -2], widths=[2.0]), snug.Error, "max_changes[1] is -2"),
+    (lambda: snug.min_slots(CAR, [10**12], widths=[2.0]), snug.Error, "max_changes is too large"),
+    (lambda: snug.min_slots(CAR, [2**64], widths=[2.0]), TypeError, "max_changes must be"),
+    (lambda: snug.min_slots(CAR, [1], widths=[2.0, math.nan]), snug.Error, "widths[1] is nan m"),
+    (lambda: snug.min_slots(CAR, [1], lengths=[0.0]), snug.Error, "lengths[0] is 0 m"),
+    (lambda: snug.min_slots(CAR, [1], widths=[math.nan], strategy="fewest"), snug.Error, "widths[0] is nan m"),
 ])
 def test_errors_name_the_argument_and_the_element(call, error, says):
     with pytest.raises(error) as raised:
@@ -145,7 +145,7 @@ def test_the_interpreter_is_free_meanwhile():
     other.start()
     start = time.monotonic()
     snug.fewest(CAR, snug.Slot(4.4, 1.85), resolution=0.001, time_limit=0.3)
-    snug.min_lengths(CAR, np.linspace(1.8, 2.4, 200), [0, 5, 10])
+    snug.min_slots(CAR, [0, 5, 10], widths=np.linspace(1.8, 2.4, 200))
     end = time.monotonic()
     running = False
     other.join()
@@ -170,11 +170,11 @@ def test_progress_of_many():
 @pytest.mark.parametrize("question", [
     "snug.entry(car, slot, strategy=snug.Stepping(step=1e-6, heading_step=1e-6))",
     "snug.fewest(car, snug.Slot(4.4, 1.85), resolution=0.0004)",
-    "snug.min_length_fewest(car, 1.8, max_changes=40, resolution=0.0004)",
+    "snug.min_slot(car, width=1.8, strategy='fewest', max_changes=40, resolution=0.0004)",
     "snug.entries(car, np.linspace(4.4, 4.6, 9), 2.0, strategy=snug.Stepping(step=1e-6, heading_step=1e-6))",
-    "snug.min_lengths(car, np.linspace(1.8, 2.4, 10**6), [0, 5, 10])",
-    "snug.min_lengths(car, [2.0], [5], stepping=snug.Stepping(step=1e-5, heading_step=1e-5))",
-    "snug.min_lengths_fewest(car, [1.8, 1.81], [40], resolution=0.0004)",
+    "snug.min_slots(car, [0, 5, 10], widths=np.linspace(1.8, 2.4, 10**6))",
+    "snug.min_slots(car, [5], widths=[2.0], strategy=snug.Stepping(step=1e-5, heading_step=1e-5))",
+    "snug.min_slots(car, [40], widths=[1.8, 1.81], strategy='fewest', resolution=0.0004)",
     "snug.direction_changes(car, slot, np.full(10**7, 0.486))",
 ], ids=lambda question: question.split("(")[0])
 def test_ctrl_c_ends_long_questions(question):

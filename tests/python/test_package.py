@@ -76,7 +76,7 @@ def test_pictures_are_to_scale_on_the_axes_given(pyplot, side):
     assert snug.plot.entries(CAR, slot, answer, axes[0, 1]) is axes[0, 1]
     assert snug.plot.ranges(answer, axes[1, 0]) is axes[1, 0]
     widths, counts = np.linspace(1.9, 2.2, 5), [1, 2]
-    assert snug.plot.min_slots(widths, counts, snug.min_lengths(CAR, widths, counts), axes[1, 1]) is axes[1, 1]
+    assert snug.plot.min_slots(widths, counts, snug.min_slots(CAR, counts, widths=widths), axes[1, 1]) is axes[1, 1]
     assert axes[0, 0].get_aspect() == axes[0, 1].get_aspect() == 1.0
     figure.canvas.draw()
 
@@ -85,10 +85,10 @@ def test_pictures_of_little(pyplot):
     nothing = snug.entry(CAR, snug.Slot(4.0, 2.0))
     snug.plot.entries(CAR, snug.Slot(4.0, 2.0), nothing)
     snug.plot.ranges(nothing)
-    snug.plot.min_slots([1.0, 1.5], 2, snug.min_lengths(CAR, [1.0, 1.5], 2))
-    snug.plot.min_slots(2.0, 2, snug.min_lengths(CAR, 2.0, 2))
-    snug.plot.min_slots([5.0, 5.5], [2], snug.min_widths(CAR, [5.0, 5.5], [2])).figure.canvas.draw()
-    bounds = snug.min_lengths_fewest(CAR, [2.1, 2.3], [1], precision=0.05, resolution=0.02)
+    snug.plot.min_slots([1.0, 1.5], 2, snug.min_slots(CAR, 2, widths=[1.0, 1.5]))
+    snug.plot.min_slots(2.0, 2, snug.min_slots(CAR, 2, widths=2.0))
+    snug.plot.min_slots([5.0, 5.5], [2], snug.min_slots(CAR, [2], lengths=[5.0, 5.5])).figure.canvas.draw()
+    bounds = snug.min_slots(CAR, [1], widths=[2.1, 2.3], strategy="fewest", precision=0.05, resolution=0.02)
     snug.plot.min_slots([2.1, 2.3], [1], bounds).figure.canvas.draw()
     maneuver = snug.fewest(CAR, snug.Slot(5.2, 1.9), resolution=0.004).maneuver
     snug.plot.maneuver(maneuver, snug.Slot(5.2, 1.9), swept=False, legend=False).figure.canvas.draw()
@@ -100,7 +100,7 @@ def test_pictures_of_little(pyplot):
     (lambda: snug.plot.maneuver(snug.entry(CAR, SLOT).maneuver, CAR), TypeError, "slot must be a snug.Slot"),
     (lambda: snug.plot.ranges(SLOT), TypeError, "answer must be a snug.Answer"),
     (lambda: snug.plot.min_slots([2.0], [1], [3.0]), TypeError, "slots must be"),
-    (lambda: snug.plot.min_slots([2.0, 2.1], [1], snug.min_lengths(CAR, [2.0], [1])), snug.Error, "slots has the shape"),
+    (lambda: snug.plot.min_slots([2.0, 2.1], [1], snug.min_slots(CAR, [1], widths=[2.0])), snug.Error, "slots has the shape"),
 ])
 def test_pictures_name_the_argument(pyplot, call, error, says):
     with pytest.raises(error) as raised:

@@ -108,7 +108,7 @@ def test_min_slot(tmp_path):
         width = car.width + rng.uniform(0.05, 0.8)
         counts = sorted(rng.sample(range(12), 3))
         rows = command("min-slot", "--car", name, "--width", repr(width), "--max-changes", ",".join(map(str, counts)))["rows"]
-        got = snug.min_lengths(car, width, counts)
+        got = snug.min_slots(car, counts, widths=width)
         for row, mine in zip(rows, got, strict=True):
             if row["length"] is None:
                 assert mine["length"] != mine["length"]

@@ -104,8 +104,8 @@ def test_baselines_and_first_contact():
     contact = snug.first_contact(CAR, SLOT, MOVE.start, MOVE.direction, MOVE.steering_angle)
     assert contact.contact == MOVE.contact and contact.distance == pytest.approx(MOVE.length)
     assert snug.first_contact(CAR, SLOT, (0, 50, 0), "forward", 0.0).distance == math.inf
-    assert snug.min_length(CAR, 2.0, max_changes=18).length < 4.5 < snug.min_length(CAR, 2.0, max_changes=17).length
-    assert snug.min_width(CAR, 3.0) is None
+    assert snug.min_slot(CAR, width=2.0, max_changes=18).length < 4.5 < snug.min_slot(CAR, width=2.0, max_changes=17).length
+    assert snug.min_slot(CAR, length=3.0).width is None
     assert 1.0 < snug.blackburn_extra_length(CAR, 1.8) < 2.0
 
 
@@ -177,10 +177,9 @@ def test_defaults_are_the_ones_that_help_shows():
         "entry": (CAR, SLOT), "entries": (CAR, [4.5, 4.8], 2.0), "direction_changes": (CAR, SLOT, [0.4, 0.486]),
         "max_steer": (CAR, SLOT, 0.486), "stepping": (CAR, SLOT, 0.486), "reversed_trials": (CAR, SLOT),
         "parallel_trials": (CAR, SLOT), "reversed_trials_by_goal": (CAR, SLOT), "shortfall": (CAR, snug.Slot(3, 1)),
-        "min_length": (CAR, 2.0), "min_width": (CAR, 6.0), "min_lengths": (CAR, [2.0], [1]), "min_widths": (CAR, [6.0], [1]),
+        "min_slot": (CAR,), "min_slots": (CAR, [1]),
         "fewest": (CAR, snug.Slot(5.2, 2.0)), "parked_pose": (CAR, SLOT), "swept": (MANEUVER,),
         "leave": (CAR, snug.Slot(5.2, 2.0), snug.parked_pose(CAR, snug.Slot(5.2, 2.0), front=0.3, curb=0.05)),
-        "min_length_fewest": (CAR, 2.2), "min_lengths_fewest": (CAR, 2.2, 0),
         "first_contact": (CAR, SLOT, MOVE.start, "backward", 0.3),
     }
     for name, thing in public():
@@ -189,9 +188,30 @@ def test_defaults_are_the_ones_that_help_shows():
         defaults = {p.name: p.default for p in inspect.signature(thing).parameters.values() if p.default is not p.empty}
         assert bool(defaults) == (name in asked), name
         if defaults:
-            shorter = {"precision": 0.1, "resolution": 0.01} if "precision" in defaults else {}
-            got, plain = thing(*asked[name], **{**defaults, **shorter}), thing(*asked[name], **shorter)
+            needed = {"min_slot": {"width": 2.0}, "min_slots": {"lengths": [6.0]}}.get(name, {})
+            got, plain = thing(*asked[name], **{**defaults, **needed}), thing(*asked[name], **needed)
             assert str(got) == str(plain), name
+
+
+def test_conditions_are_those_of_the_command():
+    conditions = dict(clearance=0.02, curb_clearance=0.05, parked_heading=0.02, parked_curb=0.3)
+    slot = snug.Slot(5.2, 2.2, front_setback=0.2, rear_setback=0.1, curb="low")
+    answer = snug.entry(CAR, slot, **conditions)
+    run = snug.max_steer(CAR, slot, answer.maneuver.entry.heading, **conditions)
+    assert run.outcome == "parked" and run.maneuver.direction_changes == answer.direction_changes
+    assert abs(answer.maneuver.goal.heading) <= 0.02
+    assert snug.entry(CAR, slot).direction_changes <= answer.direction_changes
+    assert snug.fewest(CAR, slot, resolution=0.005, **conditions).lower_bound <= answer.direction_changes
+    beside = dict(front_setback=0.2, rear_setback=0.1, curb="low", **conditions)
+    least = snug.min_slot(CAR, width=2.2, max_changes=answer.direction_changes, **beside)
+    assert least.length <= 5.2
+    assert snug.min_slot(CAR, width=2.2, max_changes=answer.direction_changes - 1, **beside).length > 5.2
+    rows = snug.entries(CAR, [5.2], [2.2], **beside)
+    assert rows["direction_changes"][0] == answer.direction_changes
+    assert snug.shortfall(CAR, snug.Slot(5, 1), curb_clearance=0.1).width == pytest.approx(CAR.width + 0.1 - 1)
+    for strategy in (snug.Stepping(), snug.ReversedTrials(), snug.ParallelTrials()):
+        with pytest.raises(snug.Error, match="cannot"):
+            snug.entry(CAR, slot, strategy=strategy)
 
 
 def test_progress_is_told_and_can_give_up():

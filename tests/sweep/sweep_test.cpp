@@ -25,24 +25,16 @@ SweepOptions on(int threads) {
     return options;
 }
 
-void expect_same(const std::vector<MinSlotRow>& a, const std::vector<MinSlotRow>& b) {
+void expect_same(const std::vector<MinSlot>& a, const std::vector<MinSlot>& b) {
     ASSERT_EQ(a.size(), b.size());
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        EXPECT_EQ(a[i].max_changes, b[i].max_changes);
-        EXPECT_EQ(a[i].given, b[i].given);
-        ASSERT_EQ(a[i].slot.has_value(), b[i].slot.has_value());
-        if (!a[i].slot) continue;
-        EXPECT_EQ(a[i].slot->length, b[i].slot->length);
-        EXPECT_EQ(a[i].slot->width, b[i].slot->width);
-        EXPECT_EQ(a[i].slot->entry_heading, b[i].slot->entry_heading);
-    }
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i], b[i]) << i;
 }
 
 TEST(Sweep, AnswersAreTheSameForAnyNumberOfThreads) {
-    const auto alone = min_lengths(car, widths, counts, {}, on(1));
-    for (const int threads : {0, 2, 4}) expect_same(min_lengths(car, widths, counts, {}, on(threads)), alone);
-    EXPECT_FALSE(alone.front().slot);
-    EXPECT_TRUE(alone.back().slot);
+    const auto alone = min_slots(car, widths, counts, {}, on(1));
+    for (const int threads : {0, 2, 4}) expect_same(min_slots(car, widths, counts, {}, on(threads)), alone);
+    EXPECT_FALSE(alone.front().length);
+    EXPECT_TRUE(alone.back().length);
 }
 
 TEST(Sweep, TellsItsProgressFromOneThreadAtATime) {
@@ -59,14 +51,14 @@ TEST(Sweep, TellsItsProgressFromOneThreadAtATime) {
         --inside;
         return true;
     };
-    EXPECT_FALSE(min_lengths(car, widths, counts, {}, sweep).empty());
+    EXPECT_FALSE(min_slots(car, widths, counts, {}, sweep).empty());
     EXPECT_GT(told, 0);
 }
 
 TEST(Sweep, GivesUpWhenTold) {
     SweepOptions sweep = on(4);
     sweep.progress = [](double) { return false; };
-    EXPECT_TRUE(min_lengths(car, widths, counts, {}, sweep).empty());
+    EXPECT_TRUE(min_slots(car, widths, counts, {}, sweep).empty());
 }
 
 TEST(Sweep, EntriesAreThoseOfOneSlotAtATime) {
@@ -118,13 +110,12 @@ TEST(Sweep, GivesUpInTheMiddleOfARow) {
     };
     Stepping steps;
     steps.step = 1e-5;  // minutes for a row
-    EXPECT_TRUE(min_lengths_by_stepping(car, {2.0}, {5}, steps, 1e-3, {}, when_told(3)).empty());
-    FewestLengthOptions fine;
+    EXPECT_TRUE(min_slots_by_stepping(car, {2.0}, {5}, steps, 1e-3, {}, when_told(3)).empty());
+    MinSlotOptions fine;
+    fine.strategy = Strategy::fewest;
     fine.resolution = 2e-4;
-    EXPECT_TRUE(min_lengths_fewest(car, {1.8}, {40}, fine, when_told(3)).empty());
-    EntryOptions by_steps;
-    by_steps.strategy = steps;
-    EXPECT_TRUE(entries(car, {Slot({.length = 4.6, .width = 2.0})}, by_steps, when_told(3)).empty());
+    EXPECT_TRUE(min_slots(car, {1.8}, {40}, fine, when_told(3)).empty());
+    EXPECT_TRUE(entries(car, {Slot({.length = 4.6, .width = 2.0})}, {}, when_told(3), steps).empty());
 }
 
 TEST(Core, AnswersAnyNumberOfThreadsAtOnce) {

@@ -20,7 +20,8 @@ _Part = Literal[
 _Obstacle = Literal["front side", "rear side", "curb", "front corner", "rear corner"]
 _Point = Point | tuple[float, float]
 _Pose = Pose | tuple[float, float, float]
-_Strategy = MaxSteer | Stepping | ReversedTrials | ParallelTrials
+_Baseline = MaxSteer | Stepping | ReversedTrials | ParallelTrials
+_Strategy = Literal["max-steer", "fewest"]
 _Told = Callable[[float], Any] | None
 
 __version__: str
@@ -343,16 +344,22 @@ class Shortfall:
 class MinSlot:
     def __init__(self, *args: Never, **kwargs: Never) -> None: ...
     @property
-    def length(self) -> float: ...
+    def max_changes(self) -> int: ...
     @property
-    def width(self) -> float: ...
+    def length(self) -> float | None: ...
     @property
-    def entry_heading(self) -> float: ...
+    def width(self) -> float | None: ...
+    @property
+    def lower(self) -> float: ...
+    @property
+    def entry_heading(self) -> float | None: ...
+    @property
+    def cancelled(self) -> bool: ...
     def __copy__(self) -> Self: ...
     def __deepcopy__(self, memo: dict[int, Any], /) -> Self: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
-    __match_args__: tuple[str, str, str]
+    __match_args__: tuple[str, str, str, str, str, str]
 
 @final
 class FewestProgress:
@@ -370,19 +377,6 @@ class FewestProgress:
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     __match_args__: tuple[str, str, str, str]
-
-@final
-class FewestLength:
-    def __init__(self, *args: Never, **kwargs: Never) -> None: ...
-    @property
-    def length(self) -> float | None: ...
-    @property
-    def length_lower(self) -> float: ...
-    def __copy__(self) -> Self: ...
-    def __deepcopy__(self, memo: dict[int, Any], /) -> Self: ...
-    def __eq__(self, other: object, /) -> bool: ...
-    def __hash__(self) -> int: ...
-    __match_args__: tuple[str, str]
 
 @final
 class Stretch:
@@ -422,74 +416,74 @@ def swept(maneuver: Maneuver, slot: Slot | None = None) -> Box: ...
 def waypoints(maneuver: Maneuver, spacing: float) -> NDArray[np.void]: ...
 def frame(car: Car, poses: Pose | ArrayLike) -> NDArray[np.float64]: ...
 def max_steer(
-    car: Car, slot: Slot, heading: float, *, max_changes: int = 200, clearance: float = 0.0,
-    enter: _Enter = "backward",
+    car: Car, slot: Slot, heading: float, *, max_changes: int = 200, clearance: float = 0.0, curb_clearance: float | None = None,
+    enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None,
 ) -> MaxSteerRun: ...
 def stepping(
-    car: Car, slot: Slot, heading: float, steps: Stepping | None = None, *, max_changes: int = 200,
-    clearance: float = 0.0, enter: _Enter = "backward",
+    car: Car, slot: Slot, heading: float, steps: Stepping | None = None, *, max_changes: int = 200, clearance: float = 0.0, curb_clearance: float | None = None,
+    enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None,
 ) -> MaxSteerRun: ...
 def reversed_trials(
-    car: Car, slot: Slot, trials: ReversedTrials | None = None, *, max_changes: int = 200, clearance: float = 0.0,
-    enter: _Enter = "backward",
+    car: Car, slot: Slot, trials: ReversedTrials | None = None, *, max_changes: int = 200, clearance: float = 0.0, curb_clearance: float | None = None,
+    enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None,
 ) -> Maneuver | None: ...
 def parallel_trials(
-    car: Car, slot: Slot, trials: ParallelTrials | None = None, *, max_changes: int = 200, clearance: float = 0.0,
-    enter: _Enter = "backward",
+    car: Car, slot: Slot, trials: ParallelTrials | None = None, *, max_changes: int = 200, clearance: float = 0.0, curb_clearance: float | None = None,
+    enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None,
 ) -> Maneuver | None: ...
 def reversed_trials_by_goal(car: Car, slot: Slot, max_changes: int = 200) -> ReversedTrialsByGoal: ...
 def blackburn_extra_length(car: Car, neighbour_width: float) -> float: ...
 def entry(
-    car: Car, slot: Slot, *, max_changes: int | None = None, min_range: float = 0.0, clearance: float = 0.0,
-    enter: _Enter = "backward", strategy: _Strategy | None = None, progress: _Told = None,
+    car: Car, slot: Slot, *, max_changes: int | None = None, min_range: float = 0.0, clearance: float = 0.0, curb_clearance: float | None = None,
+    enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None,
+    strategy: _Baseline | None = None, progress: _Told = None,
 ) -> Answer: ...
-def shortfall(car: Car, slot: Slot, clearance: float = 0.0) -> Shortfall: ...
-def min_length(
-    car: Car, width: float, *, max_changes: int = 0, min_range: float = 0.0, clearance: float = 0.0,
-    enter: _Enter = "backward", longest: float = 4.0, widest: float = 4.0,
-) -> MinSlot | None: ...
-def min_width(
-    car: Car, length: float, *, max_changes: int = 0, min_range: float = 0.0, clearance: float = 0.0,
-    enter: _Enter = "backward", longest: float = 4.0, widest: float = 4.0,
-) -> MinSlot | None: ...
+def shortfall(
+    car: Car, slot: Slot, clearance: float = 0.0, curb_clearance: float | None = None, enter: _Enter = "backward",
+) -> Shortfall: ...
+def min_slot(
+    car: Car, *, width: float | None = None, length: float | None = None, max_changes: int = 0,
+    strategy: _Strategy = "max-steer", min_range: float = 0.0, clearance: float = 0.0, curb_clearance: float | None = None,
+    enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None,
+    front_setback: float = 0.0, rear_setback: float = 0.0,
+    curb: _Curb = "high", longest: float = 4.0, widest: float = 4.0, precision: float = 0.001,
+    resolution: float = 0.0, progress: _Told = None,
+) -> MinSlot: ...
 def fewest(
-    car: Car, slot: Slot, *, max_changes: int = 200, clearance: float = 0.0, enter: _Enter = "backward",
+    car: Car, slot: Slot, *, max_changes: int = 200, clearance: float = 0.0, curb_clearance: float | None = None,
+    enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None,
     resolution: float = 0.0, time_limit: float | None = None, roomiest: bool = True,
     progress: Callable[[FewestProgress], Any] | None = None,
 ) -> Answer: ...
 def leave(
-    car: Car, slot: Slot, pose: _Pose, *, max_changes: int = 200, clearance: float = 0.0, enter: _Enter = "backward",
+    car: Car, slot: Slot, pose: _Pose, *, max_changes: int = 200, clearance: float = 0.0, curb_clearance: float | None = None,
+    enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None,
     resolution: float = 0.0, time_limit: float | None = None, roomiest: bool = True,
     progress: Callable[[FewestProgress], Any] | None = None,
 ) -> Answer: ...
 def parked_pose(car: Car, slot: Slot, *, front: float = 0.0, curb: float = 0.0, heading: float = 0.0) -> Pose: ...
-def min_length_fewest(
-    car: Car, width: float, *, max_changes: int = 0, clearance: float = 0.0, enter: _Enter = "backward",
-    longest: float = 4.0, precision: float = 0.001, resolution: float = 0.0, progress: _Told = None,
-) -> FewestLength: ...
 def first_contact(
     car: Car, slot: Slot, pose: _Pose, direction: _Direction, steering_angle: float, *, clearance: float = 0.0,
+    curb_clearance: float | None = None,
 ) -> FirstContact: ...
 def entries(
     car: Car, lengths: ArrayLike, widths: ArrayLike, *, max_changes: int | None = None, min_range: float = 0.0,
-    clearance: float = 0.0, enter: _Enter = "backward", strategy: _Strategy | None = None, threads: int = 0,
-    progress: _Told = None,
+    clearance: float = 0.0, curb_clearance: float | None = None,
+    enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None,
+    front_setback: float = 0.0, rear_setback: float = 0.0,
+    curb: _Curb = "high", strategy: _Baseline | None = None, threads: int = 0, progress: _Told = None,
 ) -> Any: ...
 def direction_changes(
     car: Car, slot: Slot | tuple[ArrayLike, ArrayLike], headings: ArrayLike, *, max_changes: int = 200,
-    clearance: float = 0.0, enter: _Enter = "backward", threads: int = 0, progress: _Told = None,
+    clearance: float = 0.0, curb_clearance: float | None = None,
+    enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None, threads: int = 0,
+    progress: _Told = None,
 ) -> Any: ...
-def min_lengths(
-    car: Car, widths: ArrayLike, max_changes: ArrayLike, *, min_range: float = 0.0, clearance: float = 0.0,
-    enter: _Enter = "backward", longest: float = 4.0, widest: float = 4.0, stepping: Stepping | None = None,
-    step: float = 0.001, threads: int = 0, progress: _Told = None,
-) -> Any: ...
-def min_widths(
-    car: Car, lengths: ArrayLike, max_changes: ArrayLike, *, min_range: float = 0.0, clearance: float = 0.0,
-    enter: _Enter = "backward", longest: float = 4.0, widest: float = 4.0, stepping: Stepping | None = None,
-    step: float = 0.001, threads: int = 0, progress: _Told = None,
-) -> Any: ...
-def min_lengths_fewest(
-    car: Car, widths: ArrayLike, max_changes: ArrayLike, *, clearance: float = 0.0, enter: _Enter = "backward",
-    longest: float = 4.0, precision: float = 0.001, resolution: float = 0.0, threads: int = 0, progress: _Told = None,
+def min_slots(
+    car: Car, max_changes: ArrayLike, *, widths: ArrayLike | None = None, lengths: ArrayLike | None = None,
+    strategy: _Strategy | Stepping = "max-steer", step: float = 0.001, threads: int = 0, min_range: float = 0.0, clearance: float = 0.0, curb_clearance: float | None = None,
+    enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None,
+    front_setback: float = 0.0, rear_setback: float = 0.0,
+    curb: _Curb = "high", longest: float = 4.0, widest: float = 4.0, precision: float = 0.001,
+    resolution: float = 0.0, progress: _Told = None,
 ) -> Any: ...

@@ -408,22 +408,22 @@ def min_slots(sizes: ArrayLike, max_changes: ArrayLike, slots: Any, ax: Axes | N
               name: str | None = None) -> Axes:
     """Draws curves of minimum slots, one for each maximum of direction changes.
 
-    `slots` is what min_lengths(car, sizes, max_changes), min_widths() or min_lengths_fewest() answered; the last is drawn
-    as thick as what is not decided. `name` is the title, as the car's name.
+    `slots` is what min_slots(car, max_changes, widths=sizes) or min_slots(car, max_changes, lengths=sizes) answered; those
+    over all maneuvers are drawn as thick as what is not decided. `name` is the title, as the car's name.
     """
     given, counts = np.atleast_1d(np.asarray(sizes, float)), np.atleast_1d(np.asarray(max_changes))
     rows = np.asarray(slots)
     fields = rows.dtype.names or ()
-    if "length" not in fields:
-        raise TypeError("slots must be what min_lengths(), min_widths() or min_lengths_fewest() answered")
+    if "lower" not in fields:
+        raise TypeError("slots must be what min_slots() answered")
     if rows.shape not in (counts.shape + given.shape, given.shape, counts.shape, ()) or rows.size != counts.size * given.size:
         raise _snug.Error(f"slots has the shape {rows.shape}, but must have {counts.shape + given.shape}: that of "
                           "max_changes followed by that of sizes")
     if given.ndim != 1 or counts.ndim != 1:
         raise _snug.Error("sizes and max_changes must each be a list of numbers")
     rows = rows.reshape(counts.size, given.size)
-    bounded = "length_lower" in fields
-    lengths_given = not bounded and bool(np.all(np.isnan(rows["length"]) | (rows["length"] == given)))
+    bounded = bool(np.any(rows["lower"] > 0))
+    lengths_given = not np.all(rows["width"] == given)
     sought, other = ("width", "length") if lengths_given else ("length", "width")
     ax = _axes(ax, 7.0, 4.5)
     _plain(ax)
@@ -433,7 +433,7 @@ def min_slots(sizes: ArrayLike, max_changes: ArrayLike, slots: Any, ax: Axes | N
         colour = _shade(i / max(1, counts.size - 1))
         found = rows[sought][k][order]
         if bounded:
-            ax.fill_between(given[order], rows["length_lower"][k][order], found, color=colour, linewidth=1.4)
+            ax.fill_between(given[order], rows["lower"][k][order], found, color=colour, linewidth=1.4)
         else:
             ax.plot(given[order], found, color=colour, linewidth=1.6, solid_joinstyle="round",
                     marker="o" if given.size < 2 else None, markersize=4)

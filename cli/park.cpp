@@ -1,0 +1,193 @@
+// snug park: from where the car stands into the slot, with the fewest direction changes.
+#include "cli/park.hpp"
+
+#include <numbers>
+
+#include "cli/interrupt.hpp"
+#include "cli/json.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "sentences/check.hpp"
+#include "snug/draw.hpp"
+#include "snug/error.hpp"
+#include "snug/io.hpp"
+#include "snug/limits.hpp"
+
+namespace snug::cli {
+namespace {
+
+constexpr const char* purpose =
+    "From where the car stands into a slot at a street, or into any place in a scene\n"
+    "file, with the fewest direction changes over all maneuvers, with proof.";
+
+constexpr const char* examples =
+    "Lengths are in metres, angles in radians unless they are said to be degrees.\n\n"
+    "What is proved holds for all maneuvers that keep the rear axle's middle in the\n"
+    "region (of a street: --stretch and --road, from the curb on) and the heading\n"
+    "within 80 degrees of the middle between the first heading and the parked one.\n\n"
+    "Examples:\n"
+    "  snug park --car renault-zoe --length 5.2 --width 2 --road 3.5\n"
+    "  snug park --car renault-zoe --length 5 --width 2.5 --angle 90 --road 6\n"
+    "  snug park --car opel-corsa --length 5 --width 2 --from 2,1.5,0 --draw way.svg\n"
+    "  snug park --car renault-zoe --scene yard.json --waypoints way.csv\n\n"
+    "Exit codes: 0 solved; 1 understood, and the car cannot park; 2 bad input, with\n"
+    "one line that says what is wrong; 3 undecided within the limits given. Ctrl-C\n"
+    "ends with the bounds found so far.";
+
+/// The options of `snug park`, in the order of its help text.
+struct Asked {
+    explicit Asked(Options& options)
+        : car(options),
+          slot(options),
+          street(options),
+          neighbours(options),
+          parked(options),
+          driving(options),
+          scene(options.group("Any place")
+                    .text("--scene", "FILE",
+                          "Obstacles, goal and start from a JSON file, or from\na .csv file of "
+                          "the TPCAP benchmark: no slot then.")),
+          from(options.group("Question")
+                   .declared<Pose>("--from", "X,Y,HEADING",
+                                   "Where the rear axle's middle stands, in the world\n[m, rad] (beside the front "
+                                   "neighbour; past a bay).",
+                                   pose)),
+          max_changes(options.whole_number("--max-changes", "N", "At most that many direction changes (200).", 0,
+                                           limits::most_changes_fewest)),
+          resolution(resolution_option(options, "eight-hundredth", "Finest")),
+          time_limit(time_limit_option(options, "End")),
+          output(options),
+          draw(draw_option(options)),
+          waypoints(options) {}
+
+    CarOptions car;
+    SlotOptions slot;
+    StreetOptions street;
+    NeighbourOptions neighbours;
+    ParkedOptions parked;
+    DrivingOptions driving;
+    Option<std::string> scene;
+    Option<Pose> from;
+    Option<int> max_changes;
+    Option<double> resolution;
+    Option<double> time_limit;
+    OutputOptions output;
+    Option<std::string> draw;
+    WaypointsOptions waypoints;
+};
+
+Street street_of(const Asked& asked, const Car& car) {
+    SlotDimensions slot = asked.slot.dimensions(car);
+    asked.neighbours.describe(slot);
+    Street street = asked.street.street(slot);
+    const Driving driving = asked.driving.driving(asked.neighbours);
+    street.enter = driving.enter;
+    street.curb_clearance = driving.curb_clearance;
+    street.parked = asked.parked.parked();
+    return street;
+}
+
+/// Throws Error where an option is given that a scene file speaks of itself.
+void refuse_beside_scene(const Asked& asked) {
+    const auto refuse = [&](const auto& option) {
+        if (option)
+            throw Error(option.name() + " describes a slot, but " + asked.scene.name() +
+                        " gives the whole place; leave out one of them");
+    };
+    refuse(asked.slot.length);
+    refuse(asked.slot.width);
+    refuse(asked.slot.extra_length);
+    refuse(asked.slot.extra_width);
+    refuse(asked.slot.side);
+    refuse(asked.slot.corner);
+    refuse(asked.slot.heading);
+    refuse(asked.street.angle);
+    refuse(asked.street.road);
+    refuse(asked.street.stretch);
+    refuse(asked.neighbours.front_setback);
+    refuse(asked.neighbours.rear_setback);
+    refuse(asked.neighbours.curb);
+    refuse(asked.neighbours.curb_clearance);
+    refuse(asked.parked.heading);
+    refuse(asked.parked.curb);
+    refuse(asked.driving.enter);
+}
+
+ParkQuestion question(const Asked& asked) {
+    const Car car = asked.car.car();
+    ParkOptions options;
+    options.max_changes = asked.max_changes.value_or(options.max_changes);
+    options.clearance = asked.driving.clearance.value_or(0.0);
+    options.resolution = asked.resolution.value_or(0.0);
+    options.time_limit = asked.time_limit.value_or(options.time_limit);
+    if (asked.scene) {
+        refuse_beside_scene(asked);
+        try {
+            Scene scene = read_scene(*asked.scene);
+            if (asked.from) scene.start = *asked.from;
+            return {car, std::move(scene), std::nullopt, options};
+        } catch (const Error& error) {
+            throw Error(asked.scene.name() + ": " + error.what());
+        }
+    }
+    if (!asked.slot.length && !asked.slot.extra_length)
+        throw Error("no place is given; give a slot with --length and --width, or a file with --scene");
+    const Street street = street_of(asked, car);
+    const Pose start = asked.from ? *asked.from : standard_start(street, car);
+    return {car, {street_place(street), start}, street, options};
+}
+
+std::string written(Format format, const ParkQuestion& question, const ParkAnswer& answer) {
+    switch (format) {
+        case Format::json: return park_json(question, answer);
+        case Format::csv: return park_as_csv(question.scene.place, answer);
+        case Format::text: break;
+    }
+    return park_text(question, answer);
+}
+
+std::string drawn(const PictureFile& picture, const ParkQuestion& question, const ParkAnswer& answer) {
+    PictureOptions options;
+    options.driving.clearance = question.options.clearance;
+    if (question.street)
+        return draw_park(question.car, *question.street, question.scene.start, answer, picture.format, options);
+    return draw_park(question.car, question.scene, answer, picture.format, options);
+}
+
+}  // namespace
+
+Action parse_park(const Arguments& arguments) {
+    Options options("snug park", purpose, examples);
+    const Asked asked(options);
+    if (!options.read(arguments)) return say(options.help());
+    const ParkQuestion whole = question(asked);
+    ParkFiles files;
+    files.format = asked.output.format();
+    files.picture = picture_file(asked.draw, asked.output);
+    files.route = waypoints_file(asked.waypoints, asked.draw, asked.output.file);
+    files.path = asked.output.path();
+    return park_action(whole, files);
+}
+
+Action park_action(const ParkQuestion& question, const ParkFiles& files) {
+    return [question, files] {
+        ParkOptions options = question.options;
+        const auto show = show_bounds();
+        options.progress = [&](const ParkProgress& so_far) {
+            if (show) show(so_far);
+            return interruption() == 0;
+        };
+        ParkAnswer answer;
+        {
+            const Interruptible interruptible;
+            answer = park(question.car, question.scene.place, question.scene.start, options);
+        }
+        if (show) wipe_progress();
+        if (files.route) write_file("--waypoints", files.route->path, written(*files.route, answer.maneuver));
+        if (files.picture) write_file("--draw", files.picture->path, drawn(*files.picture, question, answer));
+        put_out(files.path, written(files.format, question, answer));
+        return interruption() != 0 ? interruption() : exit_code(answer);
+    };
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,224 @@
+// The picture of parking in any place: obstacles, where the car stands, the way and where it ends.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "canvas.hpp"
+#include "car_shape.hpp"
+#include "header.hpp"
+#include "labels.hpp"
+#include "legs.hpp"
+#include "moves_table.hpp"
+#include "path.hpp"
+#include "scene.hpp"
+#include "snug/draw.hpp"
+#include "stage.hpp"
+#include "view.hpp"
+
+namespace snug {
+namespace drawing {
+namespace {
+
+/// What is drawn, and the frame that lies level on the page: a street's slot, or the world.
+struct Picture {
+    const Car& car;
+    Place place;
+    const Pose& start;
+    const ParkAnswer& answer;
+    Slot frame;
+    std::string facts;
+};
+
+/// A polygon of the slot frame without what lies on the far side of one edge of a box.
+template <class Inside, class Cut>
+std::vector<Point> without(const std::vector<Point>& polygon, const Inside& inside, const Cut& cut) {
+    std::vector<Point> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+        if (inside(from)) kept.push_back(from);
+        if (inside(from) != inside(to)) kept.push_back(cut(from, to));
+    }
+    return kept;
+}
+
+/// The part of a polygon around the view, on the page: what is far outside would be too far for Cairo.
+std::vector<Point> on_page(const View& view, const Slot& frame, const std::vector<Point>& world) {
+    const double out = 20.0 / view.scale;
+    const Box box = {view.seen.x_min - out, view.seen.x_max + out, view.seen.y_min - out, view.seen.y_max + out};
+    std::vector<Point> polygon;
+    for (const Point& corner : world) polygon.push_back(frame.to_slot(corner));
+    const auto at_x = [](double x) {
+        return [x](const Point& a, const Point& b) { return Point{x, a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x))}; };
+    };
+    const auto at_y = [](double y) {
+        return [y](const Point& a, const Point& b) { return Point{a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)), y}; };
+    };
+    polygon = without(
+        polygon, [&](const Point& p) { return p.x >= box.x_min; }, at_x(box.x_min));
+    polygon = without(
+        polygon, [&](const Point& p) { return p.x <= box.x_max; }, at_x(box.x_max));
+    polygon = without(
+        polygon, [&](const Point& p) { return p.y >= box.y_min; }, at_y(box.y_min));
+    polygon = without(
+        polygon, [&](const Point& p) { return p.y <= box.y_max; }, at_y(box.y_max));
+    for (Point& corner : polygon) corner = view(corner);
+    return polygon;
+}
+
+/// What is to be seen at least, in the frame: the goal and all of the car all the way.
+Box needed(const Picture& picture) {
+    Box box = box_of(picture.car, picture.frame, picture.start);
+    if (picture.answer.maneuver && !picture.answer.maneuver->moves.empty())
+        box = joined(box, swept(*picture.answer.maneuver, picture.frame));
+    if (const auto* inside = std::get_if<ParkedInside>(&picture.place.parked())) {
+        for (const Point& corner : inside->corners) {
+            const Point p = picture.frame.to_slot(corner);
+            box = joined(box, {p.x, p.x, p.y, p.y});
+        }
+    } else {
+        box = joined(box, box_of(picture.car, picture.frame, std::get<ParkedAt>(picture.place.parked()).pose));
+    }
+    return box;
+}
+
+View view_of(const Picture& picture) {
+    const double around = 0.25 * picture.car.length();
+    Box seen = needed(picture);
+    seen = {seen.x_min - around, seen.x_max + around, seen.y_min - around, seen.y_max + around};
+    const Panel panel = {{margin, header_height}, page_width - 2 * margin, 600.0};
+    View view;
+    view.turned = picture.frame.side() == Side::left;
+    view.top_left = panel.top_left;
+    view.scale = std::min(panel.width / (seen.x_max - seen.x_min), panel.max_height / (seen.y_max - seen.y_min));
+    const double spare = panel.width / view.scale - (seen.x_max - seen.x_min);
+    view.seen = {seen.x_min - spare / 2, seen.x_max + spare / 2, seen.y_min, seen.y_max};
+    return view;
+}
+
+void draw_obstacles(cairo_t* canvas, const View& view, const Picture& picture) {
+    trace_box(canvas, view.page());
+    fill(canvas, palette::road);
+    for (const PlaceObstacle& obstacle : picture.place.obstacles()) {
+        trace(canvas, on_page(view, picture.frame, obstacle.corners), true);
+        fill_and_stroke(canvas, obstacle.low ? palette::curb : palette::blocked, palette::neighbour_line, line::thin);
+    }
+}
+
+/// The polygon to park in; a pose to park at is shown by the car there.
+void draw_target(cairo_t* canvas, const View& view, const Picture& picture) {
+    const auto* inside = std::get_if<ParkedInside>(&picture.place.parked());
+    if (inside == nullptr) return;
+    const std::vector<Point> corners = on_page(view, picture.frame, inside->corners);
+    trace(canvas, corners, true);
+    fill(canvas, palette::slot_floor);
+    const Saved saved(canvas);
+    const std::array<double, 2> pattern = {5.0, 4.0};
+    cairo_set_dash(canvas, pattern.data(), 2, 0.0);
+    trace(canvas, corners, true);
+    stroke(canvas, palette::slot, line::thin);
+}
+
+void draw_stage(cairo_t* canvas, const View& view, const Stage& stage, const Picture& picture) {
+    const Saved saved(canvas);
+    clip_to(canvas, view);
+    draw_obstacles(canvas, view, picture);
+    draw_target(canvas, view, picture);
+    if (picture.answer.maneuver) {
+        const Pose goal = stage.legs.empty() ? picture.start : stage.legs.back().move->end;
+        draw_goal(canvas, view, stage, goal);
+        draw_grown(canvas, view, stage, goal, palette::goal);
+    }
+    draw_entry(canvas, view, stage, picture.start, stage.legs.empty() ? 0.0 : stage.legs.front().move->steering_angle);
+    draw_grown(canvas, view, stage, picture.start, palette::entry);
+    if (!stage.legs.empty()) {
+        draw_stops(canvas, view, stage);
+        draw_paths(canvas, view, stage.car, stage.slot, stage.legs);
+        draw_numbers(canvas, view, stage.slot, stage.legs, view.page());
+    }
+    write_beside(canvas, view, stage, picture.start, "start",
+                 {type::normal, palette::entry_text, true, Align::center, true});
+    draw_cross(canvas, view, stage.slot, picture.start, palette::entry_text);
+    if (stage.legs.empty()) return;
+    const Pose goal = stage.legs.back().move->end;
+    draw_cross(canvas, view, stage.slot, goal, palette::goal_text);
+    write(canvas, drawing::on_page(view, stage.slot, goal, {0.82 * stage.car.front(), 0.0}), "goal",
+          {type::normal, palette::goal_text, true, Align::center, true});
+}
+
+/// "rear-left corner 0.12 m from curb", for every leg at whose end the direction changes.
+std::vector<std::string> ends_of(const std::vector<Leg>& legs, const Picture& picture, const Unit& unit) {
+    std::vector<std::string> ends;
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+        std::string& end = ends.emplace_back();
+        if (!legs[i].turns_at_end && i + 1 < legs.size()) end = "turn the wheel on the way";
+        if (!legs[i].turns_at_end || i >= picture.answer.stops.size()) continue;
+        const ParkStop& stop = picture.answer.stops[i];
+        const std::string what = picture.place.name_of(stop.obstacle);
+        end = std::string(to_string(stop.gap.part)) +
+              (stop.is_contact() ? " meets " + what : " " + path_label(stop.gap.distance, unit) + " from " + what);
+    }
+    return ends;
+}
+
+std::string drawn(const Picture& picture, PictureFormat format, const PictureOptions& options) {
+    const Unit unit = unit_for(picture.car.length());
+    const std::optional<Maneuver>& way = picture.answer.maneuver;
+    const std::vector<Leg> legs = way ? legs_of(*way) : std::vector<Leg>{};
+    const Stage stage = {picture.car, picture.frame, legs, options};
+    const View view = view_of(picture);
+    const Box page = view.page();
+    std::string answer = "no maneuver found";
+    if (picture.answer.impossible) answer = "cannot park, proved for any number of direction changes";
+    if (way) {
+        answer = changes_label(*picture.answer.direction_changes) +
+                 (picture.answer.proved ? ", proved the fewest"
+                                        : ", at least " + std::to_string(picture.answer.lower_bound)) +
+                 "; " + path_label(way->length(), unit) + " driven";
+    }
+    const double table_top = page.y_max + key_height + 14.0;
+    const double height = legs.empty() ? page.y_max + margin : table_top + table_height(legs.size()) + margin;
+    return to_bytes(
+        {page_width, height}, format, name_of(picture.car) + ", " + picture.facts + ": " + answer,
+        [&](cairo_t* canvas) {
+            draw_header(canvas, name_of(picture.car), answer, picture.facts);
+            draw_stage(canvas, view, stage, picture);
+            draw_scale_bar(canvas, view, {page.x_max - 12.0, page.y_max - 12.0});
+            if (legs.empty()) return;
+            draw_key(canvas, {page.x_min, page.y_max + key_height / 2 + 2.0}, view, options.driving.clearance > 0.0);
+            draw_table(canvas, {margin, table_top}, page_width - 2 * margin, *way, picture.frame, legs, unit,
+                       ends_of(legs, picture, unit));
+        });
+}
+
+}  // namespace
+}  // namespace drawing
+
+std::string draw_park(const Car& car, const Street& street, const Pose& start, const ParkAnswer& answer,
+                      PictureFormat format, const PictureOptions& options) {
+    using namespace drawing;
+    const Unit unit = unit_for(car.length());
+    std::string facts = "slot " + size_label(street.length, street.width, unit) + " on the " +
+                        (street.side == Side::left ? "left" : "right");
+    if (street.angle > 0.0) facts += ", at " + degrees_label(street.angle, 1);
+    if (street.road) facts += ", road " + length_label(*street.road, unit);
+    facts += street.enter == Enter::forward ? ", nose first" : ", tail first";
+    const Slot frame({.length = street.length,
+                      .width = street.width,
+                      .side = street.side,
+                      .corner = street.corner,
+                      .heading = street.heading});
+    return drawn({car, street_place(street), start, answer, frame, facts}, format, options);
+}
+
+std::string draw_park(const Car& car, const Scene& scene, const ParkAnswer& answer, PictureFormat format,
+                      const PictureOptions& options) {
+    const std::size_t count = scene.place.obstacles().size();
+    const Slot frame({.length = 1.0, .width = 1.0, .corner = {scene.start.x, scene.start.y}});
+    return drawing::drawn({car, scene.place, scene.start, answer, frame,
+                           "a scene with " + std::to_string(count) + (count == 1 ? " obstacle" : " obstacles")},
+                          format, options);
+}
+
+}  // namespace snug

@@ -1,0 +1,43 @@
+#include "contact/sized_slot.hpp"
+
+#include <algorithm>
+
+#include "contact/entering.hpp"
+#include "sentences/check.hpp"
+#include "snug/limits.hpp"
+
+namespace snug::detail {
+
+void check(const MinSlotOptions& options, double given) {
+    check(MaxSteerOptions{options.max_changes, options.driving, options.parked});
+    check_between(options.sought == Sought::length ? "slot width" : "slot length", given, limits::shortest,
+                  limits::longest, " m");
+    check_between("smallest range", options.min_range, 0.0, limits::quarter_turn, " rad");
+    check_between("extra length to search", options.longest, 0.0, limits::longest, " m");
+    check_between("extra width to search", options.widest, 0.0, limits::longest, " m");
+    const double deepest = options.sought == Sought::length ? given : limits::longest;
+    check_between("setback of the front neighbour", options.front_setback, 0.0, deepest, " m");
+    check_between("setback of the rear neighbour", options.rear_setback, 0.0, deepest, " m");
+}
+
+Slot slot_of(const MinSlotOptions& options, double given, double size) {
+    const bool length = options.sought == Sought::length;
+    return Slot({.length = length ? size : given,
+                 .width = length ? given : size,
+                 .front_setback = options.front_setback,
+                 .rear_setback = options.rear_setback,
+                 .curb = options.curb});
+}
+
+double least_size(const Car& car, const MinSlotOptions& options) {
+    const double deepest = std::max({options.front_setback, options.rear_setback, limits::shortest});
+    const Slot slot({.length = limits::shortest,
+                     .width = deepest,
+                     .front_setback = options.front_setback,
+                     .rear_setback = options.rear_setback,
+                     .curb = options.curb});
+    const LeastSlot least = least_slot(car, slot, options.driving);
+    return options.sought == Sought::length ? least.length : std::max(least.width, deepest);
+}
+
+}  // namespace snug::detail

@@ -1,4 +1,0 @@
-// Public now.
-#pragma once
-
-#include "snug/answer.hpp"
