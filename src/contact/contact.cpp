@@ -172,8 +172,7 @@ TurnMet first_met_turning(const PlainMove& move, Turning& turn) {
     int index = frame.sector_of(now);
     for (int i = 0; i <= 4 * frame.per_quarter; ++i) {
         const Sector& sector = frame.at(now.quarter, index);
-        const FoundAt first =
-            first_in_sector(frame, sector, move.problem, turn.x, turn.y, now.quarter, now.c, now.s);
+        const FoundAt first = first_in_sector(frame, sector, move.problem, turn.x, turn.y, now.quarter, now.c, now.s);
         const bool full_circle = i == 4 * frame.per_quarter && first.order < turn.start.order() + full_circle_slack;
         if (first.meets != Meets::nothing && !full_circle) {
             const QuarterHeading at = {first.c, first.s, now.quarter};

@@ -59,6 +59,22 @@ int leading(const Outline& outline, int before, const Point& own) {
     return static_cast<int>(best);
 }
 
+std::vector<TurningShape::Leading> leading(const Outline& outline, const std::vector<Border>& ends) {
+    std::vector<TurningShape::Leading> found;
+    found.reserve(ends.size());
+    TurningShape::Leading now = {};
+    Border begin = {0.0, 1.0};
+    for (const Border& end : ends) {
+        const double c = begin.c + end.c;  // halfway, but for its length
+        const double s = begin.s + end.s;
+        const std::array<Point, 4> ways = {Point{-s, -c}, Point{c, -s}, Point{s, c}, Point{-c, s}};
+        for (std::size_t i = 0; i < ways.size(); ++i) now[i] = leading(outline, now[i], ways[i]);
+        found.push_back(now);
+        begin = end;
+    }
+    return found;
+}
+
 TurningCorner turned(TurningCorner corner, int quarter) {
     const Point seen = turned(Point{corner.x, corner.y}, quarter);
     corner.x = seen.x;
@@ -141,9 +157,13 @@ QuarterHeading in_quarters(double heading) {
 
 TurningShape::TurningShape(const Problem& problem)
     : ends(borders(problem)),
+      body(leading(problem.body, ends)),
       ways(directions(problem.body)),
       body_at_curb(problem.at_curb == problem.body),
-      body_is_frame(problem.frame == problem.body) {}
+      body_is_frame(problem.frame == problem.body) {
+    if (!body_at_curb) at_curb = leading(problem.at_curb, ends);
+    if (!body_is_frame) frame = leading(problem.frame, ends);
+}
 
 TurningFrame::TurningFrame(const Problem& problem, const TurningShape& shape, double offset)
     : per_quarter(static_cast<int>(shape.ends.size())) {
@@ -175,59 +195,34 @@ void TurningFrame::see(const Problem& problem, const TurningShape& shape, int an
     if (seen_[static_cast<std::size_t>(quarter)]) return;
     seen_[static_cast<std::size_t>(quarter)] = true;
     const double margin = 4.0 * problem.touch;
+    // A quarter turn on, what led to the right leads downward.
+    const auto down = static_cast<std::size_t>(quarter);
+    const std::size_t right = (down + 1) % 4;
+    const std::size_t up = (down + 2) % 4;
+    const std::size_t left = (down + 3) % 4;
     const auto seen = [&](std::size_t of, int index) {
         return turned(corners_[of + static_cast<std::size_t>(index)], quarter);
     };
     const auto point = [](const TurningCorner& corner) { return Point{corner.x, corner.y}; };
-    int lowest = 0;
-    int leftmost = 0;
-    int rightmost = 0;
-    int at_curb = 0;
-    int top = 0;
-    int frame_low = 0;
-    int frame_left = 0;
-    int frame_right = 0;
+    const std::vector<TurningShape::Leading>& at_curb = shape.body_at_curb ? shape.body : shape.at_curb;
+    const std::vector<TurningShape::Leading>& of_frame = shape.body_is_frame ? shape.body : shape.frame;
     Border begin = {0.0, 1.0};
-    Sector* next = &sectors[static_cast<std::size_t>(quarter) * shape.ends.size()];
-    for (const Border& end : shape.ends) {
-        Sector& sector = *next++;
+    for (std::size_t i = 0; i < shape.ends.size(); ++i) {
+        const Border& end = shape.ends[i];
+        Sector& sector = sectors[down * shape.ends.size() + i];
         sector.end_c = end.c;
         sector.end_s = end.s;
         const double begin_order = begin.s - begin.c;
         const double end_order = end.s - end.c;
         if (end.s > 0.0) sector.end_order = end_order;
-        const double c = begin.c + end.c;  // halfway, but for its length
-        const double s = begin.s + end.s;
-        const Point down = turned(Point{-s, -c}, -quarter);  // as the car sees it
-        const Point right = turned(Point{c, -s}, -quarter);
-        const Point left = turned(Point{-c, s}, -quarter);
-        const Point up = turned(Point{s, c}, -quarter);
-        lowest = leading(problem.body, lowest, down);
-        leftmost = leading(problem.body, leftmost, left);
-        rightmost = leading(problem.body, rightmost, right);
-        sector.lowest = seen(0, lowest);
-        sector.leftmost = seen(0, leftmost);
-        sector.rightmost = seen(0, rightmost);
-        if (shape.body_at_curb) {
-            sector.at_curb = sector.lowest;
-        } else {
-            at_curb = leading(problem.at_curb, at_curb, down);
-            sector.at_curb = seen(at_curb_, at_curb);
-        }
-        top = leading(problem.frame, top, up);
-        sector.top = seen(frame_, top);
-        if (shape.body_is_frame) {
-            sector.frame_low = point(sector.lowest);
-            sector.frame_left = point(sector.leftmost);
-            sector.frame_right = point(sector.rightmost);
-        } else {
-            frame_low = leading(problem.frame, frame_low, down);
-            frame_left = leading(problem.frame, frame_left, left);
-            frame_right = leading(problem.frame, frame_right, right);
-            sector.frame_low = point(seen(frame_, frame_low));
-            sector.frame_left = point(seen(frame_, frame_left));
-            sector.frame_right = point(seen(frame_, frame_right));
-        }
+        sector.lowest = seen(0, shape.body[i][down]);
+        sector.leftmost = seen(0, shape.body[i][left]);
+        sector.rightmost = seen(0, shape.body[i][right]);
+        sector.at_curb = seen(at_curb_, at_curb[i][down]);
+        sector.top = seen(frame_, of_frame[i][up]);
+        sector.frame_low = point(seen(frame_, of_frame[i][down]));
+        sector.frame_left = point(seen(frame_, of_frame[i][left]));
+        sector.frame_right = point(seen(frame_, of_frame[i][right]));
         const auto reach = [&](double a, double b, const TurningCorner& of) {
             return most_between(a, b, of.radius, begin, end) + margin;
         };
@@ -256,6 +251,7 @@ FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const P
                         sector.reaches_down >= around.above_curb});
     const TurningEdge* const edges = frame.edges.data();
     const int count = static_cast<int>(frame.edges.size() / 2);
+    // Inlined twice by force, so that `first` stays in registers.
     const auto edges_meet = [&](int from, int to, double gx, double gy, Meets meets) __attribute__((always_inline)) {
         const double square = gx * gx + gy * gy;
         const TurningEdge* const last = edges + (to < from ? to + count : to);
@@ -266,8 +262,7 @@ FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const P
         }
     };
     edges_meet(sector.lowest.index, sector.rightmost.index, -x, -around.above_front, Meets::front_corner);
-    edges_meet(sector.leftmost.index, sector.lowest.index, -x - problem.length, -around.above_rear,
-               Meets::rear_corner);
+    edges_meet(sector.leftmost.index, sector.lowest.index, -x - problem.length, -around.above_rear, Meets::rear_corner);
     first.settle();
     return {first.found, first.c, first.s, first.order};
 }

@@ -122,9 +122,14 @@ struct Border {
 struct TurningShape {
     explicit TurningShape(const Problem& problem);
 
-    std::vector<Border> ends;  ///< of the sectors of any quarter
-    std::vector<Point> ways;   ///< directions of the body's edges
-    bool body_at_curb;         ///< the body is what stops at the curb
+    /// Which corners lead downward, to the right, upward and to the left, as the car sees it in the first quarter turn; a
+    /// quarter turn on each leads where the one before it did.
+    using Leading = std::array<int, 4>;
+
+    std::vector<Border> ends;                   ///< of the sectors of any quarter
+    std::vector<Leading> body, at_curb, frame;  ///< in each sector; the latter two empty if they are the body
+    std::vector<Point> ways;                    ///< directions of the body's edges
+    bool body_at_curb;                          ///< the body is what stops at the curb
     bool body_is_frame;
 };
 
@@ -157,7 +162,7 @@ struct TurningFrame {
     }
 
 private:
-    std::vector<TurningCorner> corners_;  ///< of the body, what stops at the curb and the frame, in the first quarter
+    std::vector<TurningCorner> corners_;   ///< of the body, what stops at the curb and the frame, in the first quarter
     std::size_t at_curb_ = 0, frame_ = 0;  ///< where theirs begin
     std::array<bool, 4> seen_ = {};
 };

@@ -102,6 +102,7 @@ public:
         const TurningFrame& frame = backward_ ? steering_->backward : steering_->forward;
         const int around = 4 * frame.per_quarter;
         double end_slope = heading_slope_;  // of the heading at the move's end
+        // Number by number: a copy of the whole would wait for the stores of its parts.
         QuarterHeading now = {heading_.c, heading_.s, heading_.quarter};
         int index = sector_;
         const Sector* sector = &frame.at(now.quarter, index);
@@ -202,11 +203,9 @@ private:
 
     /// The lowest corner's circle reaches down to y - radius; note it where the move sweeps that point or meets the curb.
     void note_graze(const Sector& sector, const QuarterHeading& from, Meets meets, double order, FullMove& move) const {
-        const bool early = static_cast<unsigned>(from.quarter) <= 1U;
-        const bool reached = sector.graze_order <= from.order();
-        const bool stopped = meets != Meets::nothing && meets != Meets::curb && order > sector.graze_order;
-        if (static_cast<int>(early) & static_cast<int>(reached) & static_cast<int>(!stopped))  // one jump
-            move.graze[static_cast<std::size_t>(from.quarter)] = y_ + steering_->problem.width - sector.at_curb.radius;
+        if (from.quarter < 0 || from.quarter > 1 || sector.graze_order > from.order()) return;
+        if (meets != Meets::nothing && meets != Meets::curb && order > sector.graze_order) return;
+        move.graze[static_cast<std::size_t>(from.quarter)] = y_ + steering_->problem.width - sector.at_curb.radius;
     }
 
     void note_clearings(const Sector& sector, FullMove& move) const {

@@ -79,8 +79,7 @@ MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering
 
 MaxSteerRun detail::max_steer(const Car& car, const Slot& slot, const FullSteering& steering, double heading,
                               const MaxSteerOptions& options) {
-    if (!lies_in(possible_headings(steering.problem, steering.entry), heading))
-        return {Outcome::no_entry, {car, {}}};
+    if (!lies_in(possible_headings(steering.problem, steering.entry), heading)) return {Outcome::no_entry, {car, {}}};
     const FullSteeringRun at_entry(steering, heading);
     const double radius = steering.problem.radius;
     const QuarterHeading& way = at_entry.heading();

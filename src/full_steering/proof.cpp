@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "full_steering/enclosure.hpp"
@@ -281,8 +282,8 @@ private:
 /// Conditions of an obstacle at least one of which does not hold at the start of a move, because the last one ended there.
 struct Touched {
     struct At {
-        std::size_t stage = 0;
-        std::size_t condition = 0;  ///< within the stage
+        std::uint32_t stage = 0;
+        std::uint32_t condition = 0;  ///< within the stage
     };
     int count = 0;
     bool exact = false;  ///< the one condition is exactly zero
@@ -298,7 +299,8 @@ struct Touched {
             count = -1;  // nothing is known
             return;
         }
-        at[static_cast<std::size_t>(count++)] = {stage, condition};
+        at[static_cast<std::size_t>(count++)] = {static_cast<std::uint32_t>(stage),
+                                                 static_cast<std::uint32_t>(condition)};
     }
 };
 
@@ -309,6 +311,7 @@ struct State {
     std::array<Touched, 3> touched;
     bool backward = true;
     bool first = true;
+    double x_noise = 0.0, y_noise = 0.0;  ///< of the centre: how far it can be from a straight line in the heading
 };
 
 /// Why something could not be told, and so where to cut: at the root of a quantity, or (beside a graze) nearer to it.
@@ -407,6 +410,46 @@ double near_angle(double c, double s, double reference) {
     const double angle = angles::atan2(s, c);
     return angle + 2.0 * pi * std::round((reference - angle) / (2.0 * pi));
 }
+
+/// What a condition is for all cars of a box, in few plain numbers: that of the car in the middle, and how far from it the
+/// others' may be, all that is not a straight line in the heading as one error. Quicker than Forms, and enough for most.
+struct Rough {
+    double value, pace;  ///< g and d g / d heading
+    double value_error, pace_error;
+
+    /// A heading turned by t has the value  value + pace sin t - (a c + b s) (1 - cos t), and one of another centre that
+    /// plus normal . (that centre - this one).
+    Rough(const Condition& of, const Crossing& crossing, const State& state, const HeadingForm& at) {
+        const double reach = std::abs(crossing.a) + std::abs(crossing.b);
+        const double rounding = of.error + 64.0 * unit * (reach + std::abs(crossing.constant));
+        const double wide = at.off.size();
+        double along = 0.0;
+        double centre_error = 0.0;
+        double centre_shift = 0.0;  // where the normal turns
+        switch (of.kind) {
+            case Condition::right_of: along = state.x.along, centre_error = state.x_noise; break;
+            case Condition::left_of: along = -state.x.along, centre_error = state.x_noise; break;
+            case Condition::below: along = -state.y.along, centre_error = state.y_noise; break;
+            case Condition::inside:
+                along = (of.x * at.c - of.y * at.s) * state.x.along + (of.x * at.s + of.y * at.c) * state.y.along;
+                centre_error = state.x_noise + state.y_noise;
+                centre_shift = std::abs(state.x.along) + std::abs(state.y.along) + centre_error;
+                break;
+        }
+        pace = crossing.b * at.c - crossing.a * at.s;
+        value = crossing.at(at.c, at.s) + pace * at.off.mid;
+        along += pace * at.off.along;
+        const double curved =
+            (centre_shift + (0.5 * reach + std::abs(pace) * wide) * wide) * wide;  // |sin t - t| < |t|^3
+        value_error =
+            (std::abs(along) + std::abs(pace) * at.off.noise() + curved + centre_error + rounding) * (1.0 + 1e-12);
+        pace_error = (reach * wide + centre_shift + rounding) * (1.0 + 1e-12);
+    }
+    [[nodiscard]] bool holds() const { return value > value_error; }
+    [[nodiscard]] bool fails() const { return -value > value_error; }
+    [[nodiscard]] bool falls() const { return pace > pace_error; }  ///< as the car turns on
+    [[nodiscard]] bool rises() const { return -pace > pace_error; }
+};
 
 /// The heading at which the condition begins to hold (or ends), for all cars of the box; false unless they all have one
 /// near each other. By Newton's way for intervals: where g changes its sign within `far` of the heading in the middle, and
@@ -751,17 +794,23 @@ public:
         std::size_t stage = 0;
         double turns = 0.0;
         locate(start.angle, stage, turns);
-        Meeting met = from_stage(stage, turns);
-        if (met.what == Meeting::undecided) return met;
         const double begin = obstacle_.stages[stage].angle - turns;
         // An entry heading is at most a quarter turn.
         const bool steepest = state_.first && begin > quarter_turn - 1e-15;
-        if (start.angle + within >= begin && !steepest) {
+        const bool before_too = start.angle + within >= begin && !steepest;
+        const bool after_too = start.angle - within <= end_of(stage, turns);
+        if (!before_too && !after_too) {
+            Meeting met;
+            if (plainly(stage, turns, met)) return met;
+        }
+        Meeting met = from_stage(stage, turns);
+        if (met.what == Meeting::undecided) return met;
+        if (before_too) {
             const bool wraps = stage == 0;
             const std::size_t before = wraps ? obstacle_.stages.size() - 1 : stage - 1;
             met = either(met, from_stage(before, wraps ? turns - 2.0 * pi : turns));
         }
-        if (start.angle - within <= end_of(stage, turns) && met.what != Meeting::undecided) {
+        if (after_too && met.what != Meeting::undecided) {
             const bool wraps = obstacle_.next(stage) == 0;
             met = either(met, from_stage(obstacle_.next(stage), wraps ? turns + 2.0 * pi : turns));
         }
@@ -806,21 +855,55 @@ private:
         return any ? met : drive(stage, turns, -1, false);
     }
 
+    [[nodiscard]] bool possible(const Stage& stage, double turns) const {
+        return stage.possible && !(passes_ && &stage == &obstacle_.stages[passes_->stage]) &&
+               (met_ != goal || turns == 0.0 || !obstacle_.tilted);
+    }
+
+    /// Where the next stage begins.
+    [[nodiscard]] HeadingForm end_heading(std::size_t stage, double turns) const {
+        const Stage& next = obstacle_.stages[obstacle_.next(stage)];
+        return {next.c, next.s, end_of(stage, turns), {}};
+    }
+
+    /// The same as drive() in plain numbers, as long as they are clear enough; else false.
+    [[nodiscard]] bool plainly(std::size_t stage, double turns, Meeting& met) const {
+        HeadingForm from = state_.start;
+        int known = -1;
+        if (state_.first) {
+            if (met_ == front) known = obstacle_.stages[stage].entry_condition;
+        } else if (met_ != goal) {
+            const Touched& touched = state_.touched[met_];
+            if (obstacle_.one_condition) known = 0;
+            if (touched.count == 1 && touched.at[0].stage == stage) known = static_cast<int>(touched.at[0].condition);
+        }
+        for (;;) {
+            const Stage& here = obstacle_.stages[stage];
+            HeadingForm to = end_heading(stage, turns);
+            const bool last = difference(until_, to).positive();
+            if (last) to = until_;
+            int failing = -1;
+            if (possible(here, turns)) {
+                failing = plainly_fails(here, from, to, known);
+                if (failing < 0) return plainly_begins(here, stage, from, to, met);
+            }
+            if (last) return true;
+            const std::size_t next = obstacle_.next(stage);
+            known = failing >= 0 ? same_in(here, obstacle_.stages[next], failing) : -1;
+            from = to;
+            if (next == 0) turns += 2.0 * pi;
+            stage = next;
+        }
+    }
+
     [[nodiscard]] Meeting drive(std::size_t stage, double turns, int known, bool exact) const {
-        const auto possible = [this](const Stage& here, double turned) {
-            return here.possible && !(passes_ && &here == &obstacle_.stages[passes_->stage]) &&
-                   (met_ != goal || turned == 0.0 || !obstacle_.tilted);
-        };
         HeadingForm from = state_.start;
         Meeting pending;  // a contact that may lie beyond its stage
         bool last = false;
         for (;;) {
             const Stage& here = obstacle_.stages[stage];
             const std::size_t next = obstacle_.next(stage);
-            HeadingForm to;
-            to.c = obstacle_.stages[next].c;
-            to.s = obstacle_.stages[next].s;
-            to.angle = end_of(stage, turns);
+            HeadingForm to = end_heading(stage, turns);
             if (difference(until_, to).positive()) {
                 to = until_;
                 last = true;
@@ -879,7 +962,53 @@ private:
         return found(met_ == front ? Condition::below : Condition::left_of);
     }
 
-    /// Quick: a condition of the stage that fails all the time, -1 if there is none. What all of them do at the beginning,
+    /// A condition of the stage that fails all the time, told in plain numbers; -1 if there is none.
+    [[nodiscard]] int plainly_fails(const Stage& stage, const HeadingForm& from, const HeadingForm& to,
+                                    int known) const {
+        for (std::size_t i = stage.first; i < stage.last; ++i) {
+            const Condition& condition = obstacle_.conditions[i];
+            const Crossing crossing(condition, state_);
+            const int index = static_cast<int>(i - stage.first);
+            const Rough first(condition, crossing, state_, from);
+            const bool falls = first.falls();
+            if (!first.fails() && !(index == known && falls)) continue;
+            const Rough last(condition, crossing, state_, to);
+            // All the way, or with no greatest value in between.
+            if ((falls && last.falls()) || (last.fails() && (falls || last.rises()))) return index;
+        }
+        return -1;
+    }
+
+    /// One condition fails where the stage begins and begins to hold in it, and then all others hold: that is the contact,
+    /// and there is none before.
+    [[nodiscard]] bool plainly_begins(const Stage& stage, std::size_t index, const HeadingForm& from,
+                                      const HeadingForm& to, Meeting& met) const {
+        std::size_t begins = stage.last;
+        double best_s = 0.0, best_c = 0.0;
+        for (std::size_t i = stage.first; i < stage.last; ++i) {
+            const Condition& condition = obstacle_.conditions[i];
+            const Crossing crossing(condition, state_);
+            if (!Rough(condition, crossing, state_, from).fails()) continue;
+            double c = 0.0, s = 0.0;
+            if (!crossing.root(true, c, s)) return false;
+            if (begins != stage.last && best_s * c - best_c * s < 0.0) continue;  // another one begins later
+            begins = i, best_c = c, best_s = s;
+        }
+        if (begins == stage.last) return false;
+        if (!root_of(obstacle_.conditions[begins], state_, true, from.angle, met.at)) return false;
+        if (!difference(from, met.at).positive() || !difference(met.at, to).positive()) return false;
+        for (std::size_t i = stage.first; i < stage.last; ++i) {
+            const Condition& condition = obstacle_.conditions[i];
+            if (i == begins) continue;
+            if (!Rough(condition, Crossing(condition, state_), state_, met.at).holds()) return false;
+        }
+        met.what = Meeting::contact;
+        met.touched.add(index, begins - stage.first);
+        met.touched.exact = true;
+        return true;
+    }
+
+    /// A condition of the stage that fails all the time, -1 if there is none. What all of them do at the beginning,
     /// and those at the end that were asked for, stay in the space. `known` may become known.
     [[nodiscard]] int failing_in(const Stage& stage, const HeadingForm& from, const HeadingForm& to, int& known) const {
         const std::size_t count = stage.last - stage.first;
@@ -996,13 +1125,6 @@ private:
                     met.touched.add(index, i);
                 }
             }
-            if (!begun) {
-                met.at = from;  // all hold at the start, for as long as that lasts
-                for (std::size_t i = 0; i < count; ++i) {
-                    const Spell& spell = spells[i].spell[static_cast<std::size_t>(at[i])];
-                    if (!spell.to_end && !spells[i].holds_at_start) return cannot_tell(at_root_of(first[i].value));
-                }
-            }
             bool at_once = !begun;
             if (!begun) {
                 met.at = from;  // all hold at the start, for as long as that lasts
@@ -1054,52 +1176,6 @@ private:
     mutable bool doubtful_ = false;  ///< nothing overlaps at the entry position, if that is one
 };
 
-/// Where a double in the middle of the box would meet the obstacle first: only a guess, to look at obstacles in order.
-double guess(const Obstacle& obstacle, const State& state, double before) {
-    const std::vector<Stage>& stages = obstacle.stages;
-    double turns = 0.0;
-    const double angle = state.start.angle + state.start.off.mid;
-    while (angle > stages[0].angle - turns) turns -= 2.0 * pi;
-    while (angle <= stages[0].angle - turns - 2.0 * pi) turns += 2.0 * pi;
-    std::size_t stage = 0;
-    while (stage + 1 < stages.size() && angle <= stages[stage + 1].angle - turns) ++stage;
-    double from_c = state.start.c - state.start.s * state.start.off.mid;
-    double from_s = state.start.s + state.start.c * state.start.off.mid;
-    double slack = 1e-9;
-    for (std::size_t i = 0; i <= stages.size(); ++i) {
-        const Stage& here = stages[stage];
-        const std::size_t next = obstacle.next(stage);
-        if (here.angle - turns < before) return -infinity;
-        const double to_c = stages[next].c;
-        const double to_s = stages[next].s;
-        double best_c = 0.0, best_s = 0.0;
-        bool found = false;
-        for (std::size_t k = here.first; k < here.last; ++k) {
-            const Crossing crossing(obstacle.conditions[k], state);
-            double c = 0.0, s = 0.0;
-            if (!crossing.root(true, c, s)) continue;
-            if (!(from_s * c - from_c * s > slack && s * to_c - c * to_s >= -1e-9 &&
-                  c * (from_c + to_c) + s * (from_s + to_s) > 0.0))
-                continue;
-            if (found && best_s * c - best_c * s > 0.0) continue;
-            bool holds = true;
-            for (std::size_t j = here.first; j < here.last && holds; ++j)
-                holds = j == k || Crossing(obstacle.conditions[j], state).at(c, s) > -1e-9;
-            if (!holds) continue;
-            found = true;
-            best_c = c;
-            best_s = s;
-        }
-        if (found) return near_angle(best_c, best_s, here.angle - turns - 0.3);
-        from_c = to_c;
-        from_s = to_s;
-        slack = -1e-9;
-        if (next == 0) turns += 2.0 * pi;
-        stage = next;
-    }
-    return -infinity;
-}
-
 /// What came of a box.
 struct Outcome {
     enum What : unsigned char { none, parks, undecided } what = none;
@@ -1121,6 +1197,7 @@ public:
           hints_(hints),
           progress_(progress),
           most_moves_(most_moves),
+          likely_(static_cast<std::size_t>(max_changes) + 1, curb),
           space_(std::max({problem.body.size(), problem.at_curb.size(), problem.frame.size()}) + 4) {}
 
     ProvedRanges run() {
@@ -1347,6 +1424,8 @@ private:
         state.y.second = axis.x * q;
         state.x.rest = underflow;
         state.y.rest = underflow;
+        state.x_noise = state.x.noise();
+        state.y_noise = state.y.noise();
     }
 
     /// Over to the other side: the centre of the next move.
@@ -1418,21 +1497,15 @@ private:
     After drive(State& state, Outcome& outcome, const Failure* graze, bool meets) {
         ++found_.moves;
         const Steering& steering = state.backward ? backward_ : forward_;
-        // What a double meets first is asked first.
-        std::array<std::pair<double, Met>, 3> order;
-        double best = -infinity;
-        const Met likely = likely_[state.backward ? 1 : 0];
-        for (const Met met : {likely, static_cast<Met>((likely + 1) % 3), static_cast<Met>((likely + 2) % 3)}) {
-            order[met] = {guess(steering.of[met], state, best), met};
-            best = std::max(best, order[met].first);
-        }
-        std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-        likely_[state.backward ? 1 : 0] = order[0].second;
+        // What the box before met in this move is asked first.
+        Met& likely = likely_[static_cast<std::size_t>(outcome.move)];
+        const Met asked_first = likely;
         HeadingForm until = state.start;
         until.angle -= 2.0 * pi;
         bool contact = false;
         std::array<Touched, 3> touched;
-        for (const auto& [angle, met] : order) {
+        for (int i = 0; i < 3; ++i) {
+            const Met met = static_cast<Met>((asked_first + i) % 3);
             Meeting meeting;
             if (graze != nullptr && meets && met == curb) {
                 meeting.what = Meeting::contact;
@@ -1455,6 +1528,7 @@ private:
                 contact = true;
                 until = meeting.at;
                 touched[met] = meeting.touched;
+                likely = met;
                 continue;
             }
             const Form other = off_from(until, meeting.at);
@@ -1464,6 +1538,7 @@ private:
                 touched = {};
                 touched[met] = meeting.touched;
                 until = meeting.at;
+                likely = met;
             } else {
                 until.off = larger(until.off, other);
                 for (Touched& one : touched) one.exact = false;
@@ -1510,8 +1585,8 @@ private:
     std::size_t most_moves_;
     static constexpr int most_forks = 8;  ///< in a box
     int forks_ = 0;
-    std::array<Met, 2> likely_ = {front, curb};  ///< met first by the last forward and backward move
-    bool doubtful_ = false;                      ///< the box may be no entry position
+    std::vector<Met> likely_;  ///< what the last box met in each move
+    bool doubtful_ = false;    ///< the box may be no entry position
     Space space_;
     ProvedRanges found_;
 };

