@@ -185,18 +185,16 @@ Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& opt
         if (smaller && !fewest_changes(found, width)) found = before;  // no run shows it
         answer.undecided = joined(std::move(answer.undecided));
         fewest = fewest_changes(found, width);
-        answer.proved = answer.undecided.empty() && (smaller || proved.proved_changes >= asked);
-        if (answer.proved) answer.lower_bound = fewest ? *fewest : asked + 1;
-        if (!answer.proved) {
-            int bound = std::min(proved.proved_changes + 1, fewest.value_or(asked + 1));
-            for (const Headings& part : answer.undecided) {  // nothing parks there before this
-                int from = 0;
-                for (const Sliver& sliver : proved.undecided)
-                    if (sliver.min <= part.min && part.max <= sliver.max) from = sliver.from_changes;
-                bound = std::min(bound, from);
-            }
-            answer.lower_bound = bound;
+        // Nothing parks with fewer, unless in what is undecided: there from some count on.
+        const int claimed = fewest.value_or(asked + 1);
+        answer.lower_bound = smaller ? claimed : std::min(proved.proved_changes + 1, claimed);
+        for (const Headings& part : answer.undecided) {
+            int from = 0;
+            for (const Sliver& sliver : proved.undecided)
+                if (sliver.min <= part.min && part.max <= sliver.max) from = sliver.from_changes;
+            answer.lower_bound = std::min(answer.lower_bound, from);
         }
+        answer.proved = answer.lower_bound == claimed;
     }
     if (!fewest) {
         answer.cancelled = !work.complete && !answer.proved;  // it did not look everywhere
