@@ -39,7 +39,7 @@ constexpr const char* examples =
     "  snug min-slot --car my-car.json --max-changes 2 --length 5:6:0.1 --format csv\n"
     "  snug min-slot --car vw-transporter --extra-length 0.8 --extra-width 0.3\n\n"
     "Exit codes: 0 solved; 1 understood, and no row has an answer; 2 bad input, with\n"
-    "one line that says what is wrong.";
+    "one line that says what is wrong; 3 undecided within the limits given.";
 
 /// The options of `snug min-slot`, in the order of its help text.
 struct Asked {
@@ -212,6 +212,7 @@ public:
                               : min_slot_table(sought(), rows, question_.max_changes.size());
         for (const MinSlot& row : rows) {
             any_ = any_ || row.size(sought());
+            cancelled_ = cancelled_ || row.cancelled;
             if (format_ == Format::csv) add_csv(row);
             if (format_ == Format::json) text_ += json_.row(row);
             if (text_.size() + csv_.text().size() > 1'000'000) flush();
@@ -223,7 +224,7 @@ public:
         if (format_ == Format::text && !fewest()) text_ += "Rounded up to millimetres; - where no slot will do.\n";
         flush();
         if (file_) file_->finish();
-        return any_ ? solved : cannot_park;
+        return any_ ? solved : cancelled_ ? undecided : cannot_park;
     }
 
 private:
@@ -263,8 +264,9 @@ private:
     std::optional<FileInParts> file_;
     MinSlotJson json_;
     Csv csv_;
-    std::string text_;  ///< not yet written
-    bool any_ = false;  ///< some row has an answer
+    std::string text_;        ///< not yet written
+    bool any_ = false;        ///< some row has an answer
+    bool cancelled_ = false;  ///< some row is not decided
 };
 
 int answer_all(const MinSlotQuestion& question, Format format, const std::string& path) {

@@ -40,7 +40,8 @@ struct MinSlot {
     std::optional<double> width;   ///< [m]
     double lower = 0.0;            ///< of what is sought: fewest proves that nothing smaller will do [m]
     std::optional<double> entry_heading;  ///< max_steer: from which the car parks in it [rad]
-    bool cancelled = false;               ///< the progress callback gave up: as far as it had come
+    /// Given up, by the progress callback or at the bound on work: as far as it had come.
+    bool cancelled = false;
 
     [[nodiscard]] const std::optional<double>& size(Sought sought) const {
         return sought == Sought::length ? length : width;

@@ -125,18 +125,20 @@ private:
         return heading;
     }
 
-    /// Throws GivenUp when the asker does.
+    /// Throws GivenUp when the asker does, and where nothing is found because the search reached its bound on work.
     [[nodiscard]] std::vector<CountedHeadings> looked_at(const FullSteering& at, Find find) const {
         bool given_up = false;
         Progress progress;
+        SearchWork work;
         if (options_.progress) {
             progress = [&](double) {
                 given_up = !options_.progress(0.0);
                 return !given_up;
             };
         }
-        std::vector<CountedHeadings> ranges = heading_ranges(at, changes_, find, progress);
-        if (given_up || (options_.progress && !options_.progress(0.0))) throw GivenUp{};
+        std::vector<CountedHeadings> ranges = heading_ranges(at, changes_, find, progress, &work);
+        if (given_up || (ranges.empty() && !work.complete) || (options_.progress && !options_.progress(0.0)))
+            throw GivenUp{};
         return ranges;
     }
 

@@ -75,8 +75,8 @@ TEST(FewestCommand, ShortestSlotsLieBetweenTwoLengths) {
     for (const Json& row : json["rows"]) EXPECT_LT(row["length_lower"], row["length"]);
     EXPECT_LT(json["rows"][0]["length"], json["rows"][1]["length"]);
     EXPECT_EQ(run(sizes + "--format csv").out.substr(0, 37), "max_changes,width,length,length_lower");
-    expect_refusal(run("min-slot --car renault-zoe --strategy fewest --max-changes 2 --length 5"),
-                   {"--strategy", "fewest"});
+    expect_refusal(run("min-slot --car renault-zoe --strategy fewest --max-changes 2 --length 5 --min-range 0.1"),
+                   {"--min-range", "fewest"});
 }
 
 TEST(LeaveCommand, AnswersWithManeuverAndProof) {

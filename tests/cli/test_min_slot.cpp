@@ -93,6 +93,51 @@ TEST(MinSlot, AnswersDoNotDependOnThreads) {
     EXPECT_EQ(run(question + "--threads 1").out, run(question + "--threads 3").out);
 }
 
+TEST(MinSlot, TakesNeighboursCurbAndWhatCountsAsParked) {
+    const std::string beside =
+        "--front-setback 0.3 --rear-setback 0.1 --curb low --clearance 0.02 --curb-clearance 0.05 --parked-heading 2 "
+        "--parked-curb 0.3 ";
+    for (const std::string strategy : {"max-steer", "fewest --resolution 0.008"}) {
+        const std::string same = beside + "--strategy " + strategy + " --format json ";
+        const Json row = Json::parse(run(zoe + "--max-changes 4 --width 2 " + same).out)["rows"][0];
+        const double length = row["length"];
+        const auto changes = [&](double by) {
+            const std::string slot = "entry --car renault-zoe --width 2 --length " + std::to_string(length + by) + ' ';
+            const Json answer = Json::parse(run(slot + same).out);
+            return answer["parkable"] == true ? answer["direction_changes"].get<int>() : 1000;
+        };
+        EXPECT_LE(changes(1e-4), 4) << strategy;
+        if (strategy == "max-steer") {
+            EXPECT_GT(changes(-1e-4), 4);
+        } else {
+            EXPECT_GT(changes(row["length_lower"].get<double>() - length - 1e-4), 4);
+        }
+    }
+    // Deeper neighbours and a low curb leave more room, a looser condition does no harm.
+    const auto length = [](const std::string& more) {
+        return Json::parse(run(zoe + "--max-changes 4 --width 2 --format json " + more).out)["rows"][0]["length"]
+            .get<double>();
+    };
+    EXPECT_LT(length("--front-setback 0.3"), length(""));
+    EXPECT_LE(length("--curb low"), length("") + 1e-6);
+    EXPECT_GE(length("--parked-heading 1"), length("") - 1e-6);
+    expect_refusal(run(zoe + "--max-changes 1 --width 1.8:2:0.1 --front-setback 1.9"),
+                   {"--front-setback", "1.8 m wide"});
+    expect_refusal(run(zoe + "--max-changes 1 --length 5 --strategy fewest --parked-curb 0.2"),
+                   {"--parked-curb", "fewest"});
+    expect_refusal(run(zoe + "--max-changes 1 --width 2 --strategy stepping --curb low"), {"--curb", "max-steer"});
+}
+
+TEST(MinSlot, OverAllManeuversWidthsAreFoundToo) {
+    const Json row = Json::parse(
+        run(zoe + "--max-changes 3 --length 5 --strategy fewest --resolution 0.008 --format json").out)["rows"][0];
+    EXPECT_EQ(row["length"], 5.0);
+    EXPECT_LT(row["width_lower"], row["width"]);
+    const Json exact = Json::parse(run(zoe + "--max-changes 3 --length 5 --format json").out)["rows"][0];
+    EXPECT_LE(row["width"], exact["width"]);
+    EXPECT_LE(row["width_lower"], exact["width"]);
+}
+
 TEST(MinSlot, NothingWithinTheLimitsIsExitOne) {
     EXPECT_EQ(run(zoe + "--max-changes 5 --width 1.78 --format csv").exit_code, 1);
     const Result short_limit = run(zoe + "--max-changes 0 --width 2 --max-length 5.5 --format csv");

@@ -87,12 +87,13 @@ std::string attack_from_above(const MinSlotCase& asked, double size) {
     return {};
 }
 
-/// The heading reported parks in the very slot reported, to the oracle's rounding.
-std::string attack_in_place(const MinSlotCase& asked, double size, double heading) {
+/// The heading reported parks in the very slot reported, to the oracle's rounding; where two conditions meet in one place, as
+/// they may between other neighbours, to a thousandth of what is promised.
+std::string attack_in_place(const MinSlotCase& asked, double size, double heading, long double rounding = 1e-12L) {
     auto problem = asked.problem<long double>(size);
-    problem.car = problem.car.grown(-1e-12L);
-    problem.parked_curb += 2e-12L;
-    problem.parked_heading += 1e-12L;
+    problem.car = problem.car.grown(-rounding);
+    problem.parked_curb += 2 * rounding;
+    problem.parked_heading += rounding;
     const auto driven = run(problem, static_cast<long double>(heading), asked.max_changes);
     return driven.parked() ? "" : "the reported heading does not park, " + asked.line(size);
 }
@@ -132,17 +133,17 @@ TEST(MinSlot, AreLargeEnoughAndNoneSmallerIs) {
 
 TEST(MinSlot, AreSoBetweenAnyNeighboursToo) {
     std::atomic<int> answers{0};
-    attack_chosen(30, 600, 4, random_neighbours_case,
-                  [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
-                      const std::optional<snug::MinSlot> slot = smallest(asked);
-                      if (!slot) return attack_from_below(asked, asked.least() + 4.0, index);
-                      ++answers;
-                      const double size = size_of(asked, *slot);
-                      if (std::string wrong = attack_in_place(asked, size, *slot->entry_heading); !wrong.empty())
-                          return wrong;
-                      if (std::string wrong = attack_from_above(asked, size); !wrong.empty()) return wrong;
-                      return attack_from_below(asked, size - tenth_of_a_millimetre, index);
-                  });
+    attack_chosen(
+        30, 600, 4, random_neighbours_case, [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
+            const std::optional<snug::MinSlot> slot = smallest(asked);
+            if (!slot) return attack_from_below(asked, asked.least() + 4.0, index);
+            ++answers;
+            const double size = size_of(asked, *slot);
+            if (std::string wrong = attack_in_place(asked, size, *slot->entry_heading, 1e-10L); !wrong.empty())
+                return wrong;
+            if (std::string wrong = attack_from_above(asked, size); !wrong.empty()) return wrong;
+            return attack_from_below(asked, size - tenth_of_a_millimetre, index);
+        });
     std::printf("%d minima\n", answers.load());
     EXPECT_GT(answers, 0);
 }
