@@ -17,7 +17,7 @@ namespace {
 
 using namespace detail;
 
-constexpr std::size_t most_proof_moves = 60'000;  ///< driven for a proof: some 0.2 s at most
+constexpr std::size_t most_proof_moves = 100'000;  ///< driven for a proof: some 0.1 s at most
 constexpr double inward = 2e-13;  ///< edges are moved this far into their range, beyond any rounding [rad]
 
 /// The smallest count for which some stretch of headings is wide enough; empty if there is none.
@@ -185,18 +185,16 @@ Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& opt
         if (smaller && !fewest_changes(found, width)) found = before;  // no run shows it
         answer.undecided = joined(std::move(answer.undecided));
         fewest = fewest_changes(found, width);
-        answer.proved = answer.undecided.empty() && (smaller || proved.proved_changes >= asked);
-        if (answer.proved) answer.lower_bound = fewest ? *fewest : asked + 1;
-        if (!answer.proved) {
-            int bound = std::min(proved.proved_changes + 1, fewest.value_or(asked + 1));
-            for (const Headings& part : answer.undecided) {  // nothing parks there before this
-                int from = 0;
-                for (const Sliver& sliver : proved.undecided)
-                    if (sliver.min <= part.min && part.max <= sliver.max) from = sliver.from_changes;
-                bound = std::min(bound, from);
-            }
-            answer.lower_bound = bound;
+        // Nothing parks with fewer, unless in what is undecided: there from some count on.
+        const int claimed = fewest.value_or(asked + 1);
+        answer.lower_bound = smaller ? claimed : std::min(proved.proved_changes + 1, claimed);
+        for (const Headings& part : answer.undecided) {
+            int from = 0;
+            for (const Sliver& sliver : proved.undecided)
+                if (sliver.min <= part.min && part.max <= sliver.max) from = sliver.from_changes;
+            answer.lower_bound = std::min(answer.lower_bound, from);
         }
+        answer.proved = answer.lower_bound == claimed;
     }
     if (!fewest) {
         answer.cancelled = !work.complete && !answer.proved;  // it did not look everywhere

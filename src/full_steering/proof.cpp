@@ -1504,8 +1504,12 @@ private:
         until.angle -= 2.0 * pi;
         bool contact = false;
         std::array<Touched, 3> touched;
-        for (int i = 0; i < 3; ++i) {
-            const Met met = static_cast<Met>((asked_first + i) % 3);
+        // What cannot be told is asked again once it is known where the others stop the car: it may lie beyond.
+        std::array<Met, 5> order = {asked_first, static_cast<Met>((asked_first + 1) % 3),
+                                    static_cast<Met>((asked_first + 2) % 3)};
+        std::size_t asked = 3;
+        for (std::size_t i = 0; i < asked; ++i) {
+            const Met met = order[i];
             Meeting meeting;
             if (graze != nullptr && meets && met == curb) {
                 meeting.what = Meeting::contact;
@@ -1519,6 +1523,10 @@ private:
             }
             if (meeting.what == Meeting::never) continue;
             if (meeting.what == Meeting::stuck) return ended;  // no entry, or stuck for good
+            if (meeting.what == Meeting::undecided && i < 2) {
+                order[asked++] = met;
+                continue;
+            }
             if (meeting.what == Meeting::undecided) {
                 outcome.what = Outcome::undecided;
                 outcome.failure = meeting.failure;
