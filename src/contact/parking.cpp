@@ -143,12 +143,11 @@ Miss least_miss(const Turn& turn, const QuarterHeading& from, const QuarterHeadi
                             const Condition& other = conditions.all[k];
                             roots(one.a - other.a, one.b - other.b, other.e - one.e, [&](const Direction& at) {
                                 if (!lies_between(at, begin, end)) return;
-                                const double here = one.at(at.c, at.s);
-                                if (conditions.miss(at.c, at.s) > here + 1e-9 * radius) return;
+                                const double here = conditions.miss(at.c, at.s);
+                                if (here > one.at(at.c, at.s) + 1e-9 * radius) return;  // a third is missed by more
                                 const double mine = one.by_heading(at.c, at.s);
                                 const double others = other.by_heading(at.c, at.s);
-                                take(std::max(here, other.at(at.c, at.s)),
-                                     (one.e_slope * others - other.e_slope * mine) / (others - mine));
+                                take(here, (one.e_slope * others - other.e_slope * mine) / (others - mine));
                             });
                         }
                     }
