@@ -127,6 +127,7 @@ EntryQuestion question(const Asked& asked, Planner planner) {
     EntryOptions options;
     if (asked.max_changes) options.max_changes = *asked.max_changes;
     options.min_range = asked.min_range.value_or(0.0);
+    options.prove = planner == Planner::max_steer;
     options.driving = asked.driving.driving(asked.neighbours);
     options.parked = asked.parked.parked();
     if (asked.min_range && (from_a_goal(planner) || planner == Planner::fewest))

@@ -182,6 +182,31 @@ std::string ranges(const Answer& answer) {
            (rest == 0 ? "" : "  and " + std::to_string(rest) + " more; --format csv lists all\n");
 }
 
+/// What is proved about entry headings; nothing where no proof was asked for, or where the car has no room to begin with.
+std::string proof(const EntryQuestion& question, const Answer& answer) {
+    const Shortfall lacks = shortfall(question.car, question.slot, question.options.driving);
+    if (!question.options.prove || lacks.length > 0.0 || lacks.width > 0.0) return "";
+    std::string text;
+    if (answer.proved && answer.parkable()) {
+        text = "Proved: no entry heading needs fewer direction changes.\n";
+    } else if (answer.proved) {
+        text = "Proved: no heading is missed.\n";
+    } else if (answer.lower_bound > 0) {
+        text = "Proved only: no entry heading parks with " + std::string(answer.lower_bound == 1 ? "" : "up to ") +
+               changes(answer.lower_bound - 1) + ".\n";
+    } else {
+        text = "That no heading is missed is not proved.\n";
+    }
+    if (!answer.undecided.empty()) {
+        double width = 0.0;
+        for (const Headings& part : answer.undecided) width += part.max - part.min;
+        text += "Undecided: " + std::to_string(answer.undecided.size()) +
+                (answer.undecided.size() == 1 ? " sliver" : " slivers") + " of headings, " +
+                fixed(width / degree, decimals(width)) + " deg wide in all; --format json lists them.\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string entry_text(const EntryQuestion& question, const Answer& answer) {
@@ -189,7 +214,7 @@ std::string entry_text(const EntryQuestion& question, const Answer& answer) {
         return "Given up before there was an answer.\n";
     }
     if (!answer.parkable()) {
-        return refusal(question);
+        return refusal(question) + proof(question, answer);
     }
     std::string text = name(question.car) + " parks in " + slot_words(question.slot) + "\nwith " +
                        changes(answer.direction_changes.value_or(0)) + ".\n";
@@ -197,7 +222,8 @@ std::string entry_text(const EntryQuestion& question, const Answer& answer) {
         text += entry_position(question, answer) + moves(question, *answer.maneuver, "stop: parked") +
                 result(question, *answer.maneuver);
     }
-    return text + ranges(answer);
+    const std::string proved = proof(question, answer);
+    return text + ranges(answer) + (proved.empty() ? "" : "\n" + proved);
 }
 
 namespace {

@@ -214,12 +214,15 @@ void define_entry(py::module_& module) {
             "Of fewest() and leave(): of the finest lattice that was needed [m]; 0 if none was.")
         .finish();
     define(module,
-           "entry(car, slot, *, max_changes=None, min_range=0.0, " + conditions + ", strategy=None, progress=None)",
+           "entry(car, slot, *, max_changes=None, min_range=0.0, " + conditions +
+               ", strategy=None, prove=True, progress=None)",
            "All entry headings in [0, pi/2] from which the car parks with the fewest direction changes (at most 200),\n"
            "or with every count up to `max_changes`, as exact ranges, and one best maneuver. Returns an Answer.\n\n"
            "`min_range` leaves out ranges of headings narrower than this [rad]; `strategy` is a Stepping, "
            "ReversedTrials or\n"
-           "ParallelTrials, None or MaxSteer for full steering until contact. `progress` is told the part done (0 to "
+           "ParallelTrials, None or MaxSteer for full steering until contact. With `prove` it is shown, for full "
+           "steering, that no heading\n"
+           "is missed; without, the answer comes sooner. `progress` is told the part done (0 to "
            "1) on\n"
            "long questions; returning False gives up. " +
                conditions_meaning,
@@ -230,6 +233,8 @@ void define_entry(py::module_& module) {
                given.read("max_changes", options.max_changes);
                given.read("min_range", options.min_range);
                given.read_conditions(options);
+               options.prove = true;
+               given.read("prove", options.prove);
                const auto baseline = given.baseline();
                Progress progress(given.callback("progress"));
                options.progress = [&](double part) { return progress.tell(part); };

@@ -107,6 +107,8 @@ interface Common {
 
 export interface EntryOptions extends Common {
     min_range?: number;
+    /** Show that no heading is missed, which takes some milliseconds; the answer then has `proved` and `undecided`. */
+    prove?: boolean;
     /** Told the part done, 0 to 1; returning false gives the question up. */
     progress?: (part: number) => boolean | void;
 }
@@ -120,6 +122,11 @@ export interface EntryAnswer {
     /** Null when the question was given up. */
     parkable: boolean | null;
     direction_changes?: number;
+    /** The three of a proof: where `prove` was asked for. */
+    proved?: boolean;
+    undecided?: { heading_min: number; heading_max: number }[];
+    /** None parks with so many: where the car cannot park. */
+    proved_changes?: number;
     entry_ranges: HeadingRange[];
     maneuver?: Maneuver;
 }

@@ -66,7 +66,9 @@ TEST(Entry, JsonHasTheDocumentedKeysInOrder) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const Json answer = Json::parse(result.out);
     EXPECT_EQ(keys(answer), (Keys{"schema", "car", "slot", "strategy", "max_changes", "parkable", "direction_changes",
-                                  "entry_ranges", "maneuver"}));
+                                  "proved", "undecided", "entry_ranges", "maneuver"}));
+    EXPECT_EQ(answer["proved"], true);
+    EXPECT_EQ(answer["undecided"], Json::array());
     EXPECT_EQ(keys(answer["car"]), (Keys{"name", "width", "front", "rear", "wheelbase", "max_steer"}));
     EXPECT_EQ(answer["slot"], Json::parse(R"({"length": 5.0, "width": 2.0, "side": "left", "corner": [3.0, -4.0],
                                               "heading": 0.3})"));
@@ -169,7 +171,10 @@ TEST(Entry, ACarThatCannotParkIsAnAnswer) {
     EXPECT_EQ(json.exit_code, 1);
     EXPECT_EQ(json.err, "");
     const Json answer = Json::parse(json.out);
-    EXPECT_EQ(keys(answer), (Keys{"schema", "car", "slot", "strategy", "max_changes", "parkable", "entry_ranges"}));
+    EXPECT_EQ(keys(answer), (Keys{"schema", "car", "slot", "strategy", "max_changes", "parkable", "proved", "undecided",
+                                  "proved_changes", "entry_ranges"}));
+    EXPECT_EQ(answer["proved"], true);
+    EXPECT_EQ(answer["proved_changes"], 200);
     EXPECT_EQ(answer["parkable"], false);
     EXPECT_EQ(answer["entry_ranges"], Json::array());
 

@@ -81,7 +81,7 @@ test(`${total} random questions have the same answers as the command's`, { timeo
         const limit = max_changes === undefined ? [] : ["--max-changes", max_changes];
         return {
             name: "entry",
-            values: [car, { length, width, side }, { enter, clearance, max_changes }],
+            values: [car, { length, width, side }, { enter, clearance, max_changes, prove: true }],
             words: ["entry", ...slot, ...how, ...limit],
         };
     });

@@ -436,7 +436,7 @@ def blackburn_extra_length(car: Car, neighbour_width: float) -> float: ...
 def entry(
     car: Car, slot: Slot, *, max_changes: int | None = None, min_range: float = 0.0, clearance: float = 0.0, curb_clearance: float | None = None,
     enter: _Enter = "backward", parked_heading: float | None = None, parked_curb: float | None = None,
-    strategy: _Baseline | None = None, progress: _Told = None,
+    strategy: _Baseline | None = None, prove: bool = True, progress: _Told = None,
 ) -> Answer: ...
 def shortfall(
     car: Car, slot: Slot, clearance: float = 0.0, curb_clearance: float | None = None, enter: _Enter = "backward",
