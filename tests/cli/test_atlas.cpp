@@ -54,7 +54,9 @@ TEST(Atlas, StoredSlotsAreAnsweredAsByEntry) {
           "--length 4.4 --width 1.8"}) {
         const std::string slot = " --car renault-zoe --format json " + where;
         const Result fresh = run("entry" + slot);
-        const json wanted = json::parse(fresh.out);
+        json wanted = json::parse(fresh.out);
+        for (const char* key : {"proved", "undecided", "proved_changes"})
+            wanted.erase(key);  // an atlas holds quick answers
         for (const std::string file : {"a.sqlite", "a.atlas"}) {
             SCOPED_TRACE(file + slot);
             const Result asked = run("atlas query --db " + folder.file(file) + slot);

@@ -130,21 +130,19 @@ TEST(MinSlot, AreLargeEnoughAndNoneSmallerIs) {
     std::printf("%d minima\n", answers.load());
 }
 
-/// Where the car is parked for a moment only, between two conditions that it no longer and not yet meets, the solver takes it
-/// for parked up to some 1e-9 m too early: so the heading is tried in a slot larger by what is promised.
 TEST(MinSlot, AreSoBetweenAnyNeighboursToo) {
     std::atomic<int> answers{0};
-    attack_chosen(
-        30, 600, 4, random_neighbours_case, [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
-            const std::optional<snug::MinSlot> slot = smallest(asked);
-            if (!slot) return attack_from_below(asked, asked.least() + 4.0, index);
-            ++answers;
-            const double size = size_of(asked, *slot);
-            if (std::string wrong = attack_in_place(asked, size + resolution, *slot->entry_heading); !wrong.empty())
-                return wrong;
-            if (std::string wrong = attack_from_above(asked, size); !wrong.empty()) return wrong;
-            return attack_from_below(asked, size - tenth_of_a_millimetre, index);
-        });
+    attack_chosen(15, 600, 4, random_neighbours_case,
+                  [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
+                      const std::optional<snug::MinSlot> slot = smallest(asked);
+                      if (!slot) return attack_from_below(asked, asked.least() + 4.0, index);
+                      ++answers;
+                      const double size = size_of(asked, *slot);
+                      if (std::string wrong = attack_in_place(asked, size, *slot->entry_heading); !wrong.empty())
+                          return wrong;
+                      if (std::string wrong = attack_from_above(asked, size); !wrong.empty()) return wrong;
+                      return attack_from_below(asked, size - tenth_of_a_millimetre, index);
+                  });
     std::printf("%d minima\n", answers.load());
     EXPECT_GT(answers, 0);
 }
