@@ -24,6 +24,7 @@ test: check-format check-tidy build
 	cmake --preset sanitize
 	cmake --build --preset sanitize --parallel $(JOBS)
 	ctest --preset sanitize --parallel $(JOBS)
+	ctest --preset sanitize-command --parallel $(JOBS)
 	cmake --preset threads
 	cmake --build --preset threads --parallel $(JOBS)
 	ctest --preset threads

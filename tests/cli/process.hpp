@@ -53,6 +53,12 @@ private:
     std::filesystem::path path_;
 };
 
+/// The command that was built with the tests, or the one that SNUG_COMMAND names: one with sanitizers, say.
+inline const char* snug_command() {
+    const char* named = std::getenv("SNUG_COMMAND");
+    return named == nullptr ? SNUG_COMMAND : named;
+}
+
 /// Starts `snug` with the arguments; standard output goes to the file `out` ("-" leaves it closed).
 inline pid_t start(const std::vector<std::string>& arguments, const std::string& out, const std::string& err) {
     const pid_t child = fork();
@@ -78,7 +84,7 @@ inline pid_t start(const std::vector<std::string>& arguments, const std::string&
         pointers.push_back(word.data());
     }
     pointers.push_back(nullptr);
-    execv(SNUG_COMMAND, pointers.data());
+    execv(snug_command(), pointers.data());
     _exit(98);
 }
 

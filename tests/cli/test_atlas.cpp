@@ -250,7 +250,7 @@ TEST(Atlas, OnAFullDiskItSaysSo) {
     };
     if (mounted("true") != 0) GTEST_SKIP() << contents(folder.file("err"));
     const std::string grid = " --cars all --width 2:2.3:0.1 --length 5:6:0.001";
-    mounted(std::string(SNUG_COMMAND) + " atlas build --db " + disk + "/a.sqlite" + grid + "; cp " + disk +
+    mounted(std::string(snug_command()) + " atlas build --db " + disk + "/a.sqlite" + grid + "; cp " + disk +
             "/a.sqlite " + folder.file("a.sqlite"));
     const std::string said = contents(folder.file("err"));
     EXPECT_NE(said.find("disk is full; "), std::string::npos) << said;

@@ -287,7 +287,7 @@ TEST(MinSlot, ATerminalIsToldTheTimeLeft) {
     if (child == -1) GTEST_SKIP() << "this machine has no pseudoterminals";
     if (child == 0) {
         std::signal(SIGINT, SIG_DFL);
-        execl(SNUG_COMMAND, "snug", "min-slot", "--car", "renault-zoe", "--max-changes", "0:20:1", "--width",
+        execl(snug_command(), "snug", "min-slot", "--car", "renault-zoe", "--max-changes", "0:20:1", "--width",
               "1.9:2.9:0.0001", "-o", "/dev/null", nullptr);
         _exit(98);
     }

@@ -89,7 +89,7 @@ TEST(Output, AClosedPipeIsAnError) {
         const int err = open(folder.file("err").c_str(), O_WRONLY | O_CREAT, 0600);
         dup2(err, STDERR_FILENO);
         usleep(100'000);  // the parent closes the reading end meanwhile
-        execl(SNUG_COMMAND, "snug", "cars", nullptr);
+        execl(snug_command(), "snug", "cars", nullptr);
         _exit(98);
     }
     close(reader);
