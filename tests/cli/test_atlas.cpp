@@ -166,7 +166,8 @@ TEST(Atlas, FewestTellsWhatIsProved) {
 // in a given time is nobody's to say.
 TEST(Atlas, KilledAtAnyMomentItGoesOn) {
     const Folder folder;
-    const std::string grid = " --cars all --width 1.7:2.4:0.05 --length 4:6.5:0.05";
+    const std::string grid =
+        std::string(" --cars all --width 1.7:2.4:0.05 --length 4:6.5:") + (is_set("SNUG_SMALL") ? "0.1" : "0.05");
     ASSERT_EQ(run("atlas build --db " + folder.file("whole") + grid).exit_code, 0);
     const std::string wanted = csv(folder.file("whole"));
     const std::string file = folder.file("killed");
@@ -223,7 +224,7 @@ Result run_with_room(const std::string& line, rlim_t bytes) {
 TEST(Atlas, WithoutRoomItKeepsWhatThereIs) {
     const Folder folder;
     const std::string file = folder.file("a.sqlite");
-    const std::string grid = "atlas build --db " + file + " --cars all --width 2:2.3:0.1 --length 5:6:0.005";
+    const std::string grid = "atlas build --db " + file + " --cars all --width 3:3.3:0.1 --length 7:8:0.005";
     for (const rlim_t room : {1000, 50'000, 150'000}) {
         const Result full = run_with_room(grid, room);
         EXPECT_EQ(full.exit_code, 2);
@@ -249,7 +250,7 @@ TEST(Atlas, OnAFullDiskItSaysSo) {
                                .c_str());
     };
     if (mounted("true") != 0) GTEST_SKIP() << contents(folder.file("err"));
-    const std::string grid = " --cars all --width 2:2.3:0.1 --length 5:6:0.001";
+    const std::string grid = " --cars all --width 3:3.3:0.1 --length 7:8:0.001";
     mounted(std::string(snug_command()) + " atlas build --db " + disk + "/a.sqlite" + grid + "; cp " + disk +
             "/a.sqlite " + folder.file("a.sqlite"));
     const std::string said = contents(folder.file("err"));
