@@ -132,7 +132,7 @@ TEST(MinSlot, AreLargeEnoughAndNoneSmallerIs) {
 
 TEST(MinSlot, AreSoBetweenAnyNeighboursToo) {
     std::atomic<int> answers{0};
-    attack_chosen(15, 600, 4, random_neighbours_case,
+    attack_chosen(30, 600, 4, random_neighbours_case,
                   [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
                       const std::optional<snug::MinSlot> slot = smallest(asked);
                       if (!slot) return attack_from_below(asked, asked.least() + 4.0, index);
