@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 import { differences, native, open, random } from "./browser.mjs";
 
 const seed = 6;
-const total = process.env.SNUG_SMALL ? 100 : 1000;
+const total = process.env.SNUG_SOAK ? 2000 : 300; // each starts the command once
 let site;
 let page;
 const folder = mkdtempSync(join(tmpdir(), "snug-web-"));
