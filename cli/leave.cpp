@@ -52,7 +52,8 @@ struct Asked {
           time_limit(time_limit_option(options, "End")),
           output(options),
           draw(draw_option(options)),
-          waypoints(options) {}
+          waypoints(options),
+          trajectory(options) {}
 
     static constexpr Quantity gap = {" m", 0.0, limits::longest};
 
@@ -71,6 +72,7 @@ struct Asked {
     OutputOptions output;
     Option<std::string> draw;
     WaypointsOptions waypoints;
+    TrajectoryOptions trajectory;
 };
 
 double needed(const Option<double>& gap) {
@@ -131,12 +133,15 @@ Action parse_leave(const Arguments& arguments) {
     const Format format = asked.output.format_without_csv("csv has rows of ranges, but leave has none");
     const std::optional<PictureFile> picture = picture_file(asked.draw, asked.output);
     const std::optional<WaypointsFile> route = waypoints_file(asked.waypoints, asked.draw, asked.output.file);
+    const std::optional<TrajectoryFile> timed =
+        trajectory_file(asked.trajectory, asked.waypoints.file, asked.draw, asked.output.file);
     if (asked.street.angle || asked.street.road || asked.street.stretch)
-        return leave_street(asked, car, slot, pose, limited, {format, picture, route, asked.output.path()});
-    return [question, limited, pose, format, picture, route, path = asked.output.path()] {
+        return leave_street(asked, car, slot, pose, limited, {format, picture, route, timed, asked.output.path()});
+    return [question, limited, pose, format, picture, route, timed, path = asked.output.path()] {
         const Answer answer = leave(question.car, question.slot, pose, limited);
         if (limited.progress) wipe_progress();
         if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
+        if (timed) write_file("--trajectory", timed->path, written(*timed, question.car, answer.maneuver));
         if (picture && answer.maneuver) {
             const PictureOptions drawn = {limited.driving};
             write_file("--draw", picture->path, draw_maneuver(question.slot, *answer.maneuver, picture->format, drawn));

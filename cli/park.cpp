@@ -58,7 +58,8 @@ struct Asked {
           time_limit(time_limit_option(options, "End")),
           output(options),
           draw(draw_option(options)),
-          waypoints(options) {}
+          waypoints(options),
+          trajectory(options) {}
 
     CarOptions car;
     SlotOptions slot;
@@ -74,6 +75,7 @@ struct Asked {
     OutputOptions output;
     Option<std::string> draw;
     WaypointsOptions waypoints;
+    TrajectoryOptions trajectory;
 };
 
 Street street_of(const Asked& asked, const Car& car) {
@@ -165,6 +167,7 @@ Action parse_park(const Arguments& arguments) {
     files.format = asked.output.format();
     files.picture = picture_file(asked.draw, asked.output);
     files.route = waypoints_file(asked.waypoints, asked.draw, asked.output.file);
+    files.timed = trajectory_file(asked.trajectory, asked.waypoints.file, asked.draw, asked.output.file);
     files.path = asked.output.path();
     return park_action(whole, files);
 }
@@ -184,6 +187,8 @@ Action park_action(const ParkQuestion& question, const ParkFiles& files) {
         }
         if (show) wipe_progress();
         if (files.route) write_file("--waypoints", files.route->path, written(*files.route, answer.maneuver));
+        if (files.timed)
+            write_file("--trajectory", files.timed->path, written(*files.timed, question.car, answer.maneuver));
         if (files.picture) write_file("--draw", files.picture->path, drawn(*files.picture, question, answer));
         put_out(files.path, written(files.format, question, answer));
         return interruption() != 0 ? interruption() : exit_code(answer);

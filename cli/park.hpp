@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/groups.hpp"
+#include "cli/trajectory.hpp"
 #include "cli/waypoints.hpp"
 #include "snug/park.hpp"
 #include "snug/scene.hpp"
@@ -28,6 +29,7 @@ struct ParkFiles {
     Format format = Format::text;
     std::optional<PictureFile> picture;
     std::optional<WaypointsFile> route;
+    std::optional<TrajectoryFile> timed;
     std::string path;  ///< empty for standard output
 };
 
