@@ -176,12 +176,18 @@ private:
         return moves_[run.first + run.count - (stuck && (n - run.count) % 2 == 0 ? 2 : 1)];
     }
 
-    [[nodiscard]] static Sample depth(const FullMove& move) { return {move.depth, move.depth_slope}; }
-    [[nodiscard]] static Sample first_graze(const FullMove& move) { return {move.graze[0], move.graze_slope}; }
-    [[nodiscard]] static Sample second_graze(const FullMove& move) { return {move.graze[1], move.graze_slope}; }
-
-    [[nodiscard]] static Sample tail_clears(const FullMove& move) { return {move.tail_clears, move.tail_slope}; }
-    [[nodiscard]] static Sample nose_clears(const FullMove& move) { return {move.nose_clears, move.nose_slope}; }
+    using Quantity = Sample (*)(const FullSteering&, const FullMove&);
+    static Sample depth(const FullSteering&, const FullMove& move) { return {move.depth, move.depth_slope}; }
+    static Sample first_graze(const FullSteering&, const FullMove& move) { return {move.graze[0], move.y_slope}; }
+    static Sample second_graze(const FullSteering&, const FullMove& move) { return {move.graze[1], move.y_slope}; }
+    static Sample tail_clears(const FullSteering& steering, const FullMove& move) {
+        const Clearings clears = clearings(steering, move);
+        return {clears.tail, clears.tail_slope};
+    }
+    static Sample nose_clears(const FullSteering& steering, const FullMove& move) {
+        const Clearings clears = clearings(steering, move);
+        return {clears.nose, clears.nose_slope};
+    }
 
     /// Splits the interval until its ends tell all.
     void explore(const Run& left, const Run& right) {
@@ -207,17 +213,18 @@ private:
             if (first < 0.0) return split_at_root(left, right, n, first_graze);
             if (second < 0.0) return split_at_root(left, right, n, second_graze);
             if (!alike && jump_between(a, b)) {
-                if (a.tail_clears * b.tail_clears < 0.0) return split_at_root(left, right, n, tail_clears);
-                if (a.nose_clears * b.nose_clears < 0.0) return split_at_root(left, right, n, nose_clears);
+                for (const Quantity clears : {tail_clears, nose_clears})
+                    if (clears(steering_, a).value * clears(steering_, b).value < 0.0)
+                        return split_at_root(left, right, n, clears);
                 return split(left, right, 0.5);
             }
-            if (first > 0.0 && !keeps_sign(first_graze(a), first_graze(b), width, smooth))
-                return split_within(left, right, first_graze(a), first_graze(b), smooth);
-            if (second > 0.0 && !keeps_sign(second_graze(a), second_graze(b), width, smooth))
-                return split_within(left, right, second_graze(a), second_graze(b), smooth);
+            if (first > 0.0 && !keeps_sign(first_graze(steering_, a), first_graze(steering_, b), width, smooth))
+                return split_within(left, right, first_graze(steering_, a), first_graze(steering_, b), smooth);
+            if (second > 0.0 && !keeps_sign(second_graze(steering_, a), second_graze(steering_, b), width, smooth))
+                return split_within(left, right, second_graze(steering_, a), second_graze(steering_, b), smooth);
             if ((a.depth <= 0.0) != (b.depth <= 0.0)) return split_at_root(left, right, n, depth);
-            if (!keeps_sign(depth(a), depth(b), width, smooth))
-                return split_within(left, right, depth(a), depth(b), smooth);
+            if (!keeps_sign(depth(steering_, a), depth(steering_, b), width, smooth))
+                return split_within(left, right, depth(steering_, a), depth(steering_, b), smooth);
             if (a.depth <= 0.0) break;
             const double steepest = std::max(std::abs(a.depth_slope), std::abs(b.depth_slope));
             if (!(std::abs(a.depth - b.depth) <= 4.0 * steepest * width + 1e-12 * steering_.problem.length))
@@ -263,13 +270,12 @@ private:
 
     /// Splits at the root of a quantity of move n, as close as rounding lets it be told. Newton from the better end, each
     /// step a thousandth longer so that the root comes to lie between; bisection where that does not help.
-    template <class Quantity>
     void split_at_root(const Run& left, const Run& right, std::size_t n, Quantity quantity) {
         const std::size_t mark = moves_.size();
         double a = left.heading;
         double b = right.heading;
-        Sample at_a = quantity(move(left, n));
-        Sample at_b = quantity(move(right, n));
+        Sample at_a = quantity(steering_, move(left, n));
+        Sample at_b = quantity(steering_, move(right, n));
         Run before;
         Run after;
         const bool left_is_out = at_a.value > 0.0;
@@ -290,7 +296,7 @@ private:
             const bool nearly_there = std::abs(step) < 1e3 * least_gap;  // then the run is kept
             const std::size_t kept = moves_.size();
             const Run run = nearly_there ? follow(next, limit_) : follow_to(next, n);
-            const Sample value = quantity(move(run, n));
+            const Sample value = quantity(steering_, move(run, n));
             const bool other_event = std::isnan(value.value) || (nearly_there && run.changes < static_cast<int>(n));
             if (!nearly_there || other_event) moves_.resize(kept);
             if (other_event) {  // leave it to the recursion
