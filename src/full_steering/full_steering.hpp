@@ -111,6 +111,9 @@ public:
     /// Turning centre of the next move. [m]
     [[nodiscard]] double x() const { return x_; }
     [[nodiscard]] double y() const { return y_; }
+    /// How it changes with the entry heading. [m]
+    [[nodiscard]] double x_slope() const { return x_slope_; }
+    [[nodiscard]] double y_slope() const { return y_slope_; }
 
     template <bool Slope>
     FullMove drive() {

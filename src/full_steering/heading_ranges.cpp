@@ -16,6 +16,8 @@
 #include <limits>
 #include <utility>
 
+#include "full_steering/follow.hpp"
+
 namespace snug::detail {
 
 namespace {
@@ -23,7 +25,6 @@ namespace {
 constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double least_gap = 1e-13;  ///< between the two sides of a root; beyond rounding, short of any range [rad]
 constexpr std::size_t most_moves = 30'000'000;
-constexpr int never = std::numeric_limits<int>::max();
 
 /// What `move` met, and what else it may come to meet in a quarter turn without a jump: the car rolls from an edge onto
 /// the corner at its end and back. Only the tail that swings up behind the rear corner does not roll, it flies.
@@ -89,27 +90,23 @@ double root_between(const Sample& left, const Sample& right, double width) {
 class Search {
 public:
     Search(const FullSteering& steering, int max_changes, Find find, const Progress& progress)
-        : steering_(steering), limit_(max_changes), find_(find), progress_(progress) {}
+        : steering_(steering),
+          runs_{steering, in_vectors(steering), max_changes, find == Find::fewest},
+          find_(find),
+          progress_(progress) {}
 
     std::vector<CountedHeadings> run() {
         for (const Headings& headings : possible_headings(steering_.problem, steering_.entry)) search(headings);
         if (given_up_) return {};
         std::vector<CountedHeadings> ranges = constant_ranges();
         if (find_ == Find::fewest)
-            std::erase_if(ranges, [this](const CountedHeadings& range) { return range.changes != limit_; });
+            std::erase_if(ranges, [this](const CountedHeadings& range) { return range.changes != runs_.limit; });
         return ranges;
     }
 
-    [[nodiscard]] SearchWork work() const { return {moves_driven_, !given_up_ && moves_driven_ <= most_moves}; }
+    [[nodiscard]] SearchWork work() const { return {runs_.driven, !given_up_ && runs_.driven <= most_moves}; }
 
 private:
-    /// One run of the strategy: `count` moves in moves_ from `first`.
-    struct Run {
-        double heading = 0.0;
-        std::size_t first = 0;
-        std::size_t count = 0;
-        int changes = never;
-    };
     struct Leaf {
         double heading;
         int changes;
@@ -117,63 +114,44 @@ private:
 
     void search(const Headings& headings) {
         constexpr int cells = 48;
-        moves_.clear();
-        moves_.reserve(1024);
+        runs_.moves.clear();
+        runs_.moves.reserve(1024);
         std::vector<Run> grid;
         grid.reserve(cells + 1);
         for (int i = 0; i <= cells; ++i) {
             const double part = static_cast<double>(i) / cells;
-            grid.push_back(follow(headings.min + (headings.max - headings.min) * part, limit_));
+            grid.push_back({headings.min + (headings.max - headings.min) * part, runs_.limit});
             if (headings.max == headings.min) break;
         }
+        runs_.drive(grid);
+        for (const Run& run : grid) found_ = found_ || run.changes != never;
         for (std::size_t i = 0; i + 1 < grid.size(); ++i) explore(grid[i], grid[i + 1]);
         emit(grid.back());
         leaves_.push_back({std::numeric_limits<double>::quiet_NaN(), never});  // ranges end here
     }
 
-    Run follow(double heading, int last_move) {
-        Run run;
-        run.heading = heading;
-        run.first = moves_.size();
-        FullSteeringRun car(steering_, heading);
-        for (int n = 0; n <= last_move; ++n) {
-            FullMove& move = moves_.emplace_back();
-            car.drive<true>(move);
-            if (move.depth <= 0.0) {
-                run.changes = n;
-                found_ = true;
-                if (find_ == Find::fewest) limit_ = std::min(limit_, n);
-                break;
-            }
-            if (ended(run)) break;
-        }
-        run.count = moves_.size() - run.first;
-        moves_driven_ += run.count;
-        return run;
+    Run follow(double heading, int last, bool past_parked = false) {
+        std::vector<Run> one = {{heading, last, past_parked}};
+        runs_.drive(one);
+        found_ = found_ || one[0].changes != never;
+        return one[0];
     }
 
     /// Is there no need, or no use, to look any closer?
     bool done(const Run& at) {
-        if (progress_ && moves_driven_ >= next_report_) {
-            next_report_ = moves_driven_ + 1'000'000;
+        if (progress_ && runs_.driven >= next_report_) {
+            next_report_ = runs_.driven + 1'000'000;
             if (!progress_(at.heading / quarter_turn)) given_up_ = true;
         }
-        return given_up_ || (find_ == Find::any && found_) || moves_driven_ > most_moves;
-    }
-
-    /// Nothing new can come: the car circles freely, or is stuck both ways.
-    [[nodiscard]] bool ended(const Run& run) const {
-        const std::size_t count = moves_.size() - run.first;
-        const FullMove& last = moves_.back();
-        return last.meets == Meets::nothing || (last.stuck && count > 1 && moves_[moves_.size() - 2].stuck);
+        return given_up_ || (find_ == Find::any && found_) || runs_.driven > most_moves;
     }
 
     /// Move n of a run; a run that ended repeats its last two moves. (Moves without length are the limit of the shorter
     /// and shorter moves of neighbouring headings.)
     [[nodiscard]] const FullMove& move(const Run& run, std::size_t n) const {
-        if (n < run.count) return moves_[run.first + n];
-        const bool stuck = moves_[run.first + run.count - 1].stuck && run.count > 1;
-        return moves_[run.first + run.count - (stuck && (n - run.count) % 2 == 0 ? 2 : 1)];
+        if (n < run.count) return runs_.moves[run.first + n];
+        const bool stuck = runs_.moves[run.first + run.count - 1].stuck && run.count > 1;
+        return runs_.moves[run.first + run.count - (stuck && (n - run.count) % 2 == 0 ? 2 : 1)];
     }
 
     using Quantity = Sample (*)(const FullSteering&, const FullMove&);
@@ -201,7 +179,8 @@ private:
             emit(left);
             return;
         }
-        const std::size_t moves = std::min(static_cast<std::size_t>(limit_) + 1, std::max(left.count, right.count));
+        const std::size_t moves =
+            std::min(static_cast<std::size_t>(runs_.limit) + 1, std::max(left.count, right.count));
         bool smooth = true;  // a kink in one move is one in all that follow
         for (std::size_t n = 0; n < moves; ++n) {
             const FullMove& a = move(left, n);
@@ -245,13 +224,13 @@ private:
     }
 
     void split(const Run& left, const Run& right, double part) {
-        const std::size_t mark = moves_.size();
+        const std::size_t mark = runs_.moves.size();
         double at = left.heading + (right.heading - left.heading) * part;
         if (!(at > left.heading && at < right.heading)) at = left.heading + (right.heading - left.heading) * 0.5;
-        const Run middle = follow(at, limit_);
+        const Run middle = follow(at, runs_.limit);
         explore(left, middle);
         explore(middle, right);
-        moves_.resize(mark);
+        runs_.moves.resize(mark);
     }
 
     /// Where the tangents meet if there may be a kink; at the lowest point of a parabola with these slopes; or else nearer
@@ -271,7 +250,7 @@ private:
     /// Splits at the root of a quantity of move n, as close as rounding lets it be told. Newton from the better end, each
     /// step a thousandth longer so that the root comes to lie between; bisection where that does not help.
     void split_at_root(const Run& left, const Run& right, std::size_t n, Quantity quantity) {
-        const std::size_t mark = moves_.size();
+        const std::size_t mark = runs_.moves.size();
         double a = left.heading;
         double b = right.heading;
         Sample at_a = quantity(steering_, move(left, n));
@@ -294,11 +273,11 @@ private:
             one_ago = width;
             if (next <= a || next >= b) break;
             const bool nearly_there = std::abs(step) < 1e3 * least_gap;  // then the run is kept
-            const std::size_t kept = moves_.size();
-            const Run run = nearly_there ? follow(next, limit_) : follow_to(next, n);
+            const std::size_t kept = runs_.moves.size();
+            const Run run = nearly_there ? follow(next, runs_.limit) : follow(next, static_cast<int>(n), true);
             const Sample value = quantity(steering_, move(run, n));
             const bool other_event = std::isnan(value.value) || (nearly_there && run.changes < static_cast<int>(n));
-            if (!nearly_there || other_event) moves_.resize(kept);
+            if (!nearly_there || other_event) runs_.moves.resize(kept);
             if (other_event) {  // leave it to the recursion
                 return split(left, right, (next - left.heading) / (right.heading - left.heading));
             }
@@ -312,27 +291,12 @@ private:
                 after = nearly_there ? run : Run();
             }
         }
-        if (before.count == 0) before = follow(a, limit_);
-        if (after.count == 0) after = follow(b, limit_);
+        if (before.count == 0) before = follow(a, runs_.limit);
+        if (after.count == 0) after = follow(b, runs_.limit);
         explore(left, before);
         emit(before);
         explore(after, right);
-        moves_.resize(mark);
-    }
-
-    /// Like follow, up to move n and past parked ones.
-    Run follow_to(double heading, std::size_t n) {
-        Run run;
-        run.heading = heading;
-        run.first = moves_.size();
-        FullSteeringRun car(steering_, heading);
-        for (std::size_t i = 0; i <= n; ++i) {
-            car.drive<true>(moves_.emplace_back());
-            if (ended(run)) break;
-        }
-        run.count = moves_.size() - run.first;
-        moves_driven_ += run.count;
-        return run;
+        runs_.moves.resize(mark);
     }
 
     void emit(const Run& run) { leaves_.push_back({run.heading, run.changes}); }
@@ -354,15 +318,13 @@ private:
     }
 
     const FullSteering& steering_;
-    int limit_;  ///< counts above it do not interest
+    Follow runs_;  ///< last in first out
     Find find_;
     const Progress& progress_;
     bool found_ = false;     ///< some heading parks
     bool given_up_ = false;  ///< as the progress callback said
-    std::size_t moves_driven_ = 0;
     std::size_t next_report_ = 1'000'000;
-    std::vector<FullMove> moves_;  ///< of all runs in use, last in first out
-    std::vector<Leaf> leaves_;     ///< ends of finished pieces, in rising order
+    std::vector<Leaf> leaves_;  ///< ends of finished pieces, in rising order
 };
 
 }  // namespace
