@@ -7,7 +7,7 @@ namespace snug::detail {
 namespace {
 
 /// So many runs are worth a vector.
-constexpr std::size_t worth_a_vector = 3;
+constexpr std::size_t worth_a_vector = 4;
 
 }  // namespace
 

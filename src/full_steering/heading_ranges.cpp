@@ -27,7 +27,7 @@ constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double least_gap = 1e-13;  ///< between the two sides of a root; beyond rounding, short of any range [rad]
 constexpr std::size_t most_moves = 30'000'000;
 constexpr std::size_t side_by_side = 16;      ///< pieces under way: with fewer, lanes are left empty; more take memory
-constexpr std::size_t room_for_moves = 1024;  ///< before those that nobody needs any more are thrown away
+constexpr std::size_t room_for_moves = 2048;  ///< at first
 
 /// What `move` met, and what else it may come to meet in a quarter turn without a jump: the car rolls from an edge onto
 /// the corner at its end and back. Only the tail that swings up behind the rear corner does not roll, it flies.
@@ -219,9 +219,9 @@ private:
     /// A limit that has fallen makes the root of a later move uninteresting; its piece is looked at again.
     [[nodiscard]] bool interests(const Root& root) const { return static_cast<int>(root.n) <= runs_.limit; }
 
-    /// Throws away the moves of runs that no piece needs, when there are many.
+    /// Throws away the moves of runs that no piece needs, when room gets scarce.
     void throw_away() {
-        if (runs_.moves.size() < full_) return;
+        if (runs_.moves.size() < runs_.moves.capacity() / 4 * 3) return;
         std::vector<Run*> needed;
         const auto need = [&](Run& run) {
             if (run.count != 0) needed.push_back(&run);
@@ -249,7 +249,7 @@ private:
             run->first = end - run->count;
         }
         runs_.moves.resize(end);
-        full_ = std::max(2 * end, room_for_moves);
+        if (end > runs_.moves.capacity() / 2) runs_.moves.reserve(2 * runs_.moves.capacity());
     }
 
     /// Is there no need, or no use, to look any closer?
@@ -467,11 +467,10 @@ private:
     bool found_ = false;     ///< some heading parks
     bool given_up_ = false;  ///< as the progress callback said
     std::size_t next_report_ = 1'000'000;
-    std::vector<Interval> pieces_;       ///< to be looked at, from the right to the left
-    std::vector<Piece> under_way_;       ///< those that wait for a run
-    std::vector<Run> asked_;             ///< by them, in this round
-    std::size_t full_ = room_for_moves;  ///< so many moves are looked through for those to throw away
-    std::vector<Leaf> leaves_;           ///< ends of finished pieces, in rising order
+    std::vector<Interval> pieces_;  ///< to be looked at, from the right to the left
+    std::vector<Piece> under_way_;  ///< those that wait for a run
+    std::vector<Run> asked_;        ///< by them, in this round
+    std::vector<Leaf> leaves_;      ///< ends of finished pieces, in rising order
 };
 
 }  // namespace
