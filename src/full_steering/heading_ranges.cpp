@@ -54,7 +54,8 @@ struct Sample {
 /// zero for how much it moves, if it plainly rises or falls, or if its tangents, made four times as steep, meet above
 /// zero. (Beyond a jump slopes are infinite, so straight lines alone would not do.) With a kink between, where another
 /// slope begins, the lesser value must exceed the steepest change known.
-bool stays_positive(const Sample& left, const Sample& right, double width, bool smooth) {
+inline __attribute__((always_inline)) bool stays_positive(const Sample& left, const Sample& right, double width,
+                                                          bool smooth) {
     const double change = right.value - left.value;
     const double gentle = std::min(std::abs(left.slope), std::abs(right.slope)) * width;
     const double steep = std::max(std::abs(left.slope), std::abs(right.slope)) * width;
@@ -76,9 +77,11 @@ bool stays_positive(const Sample& left, const Sample& right, double width, bool 
 }
 
 /// The same for a function that has the same sign at both ends.
-bool keeps_sign(const Sample& left, const Sample& right, double width, bool smooth) {
-    if (left.value > 0.0) return stays_positive(left, right, width, smooth);
-    return stays_positive({-left.value, -left.slope}, {-right.value, -right.slope}, width, smooth);
+inline __attribute__((always_inline)) bool keeps_sign(const Sample& left, const Sample& right, double width,
+                                                      bool smooth) {
+    const double sign = left.value > 0.0 ? 1.0 : -1.0;
+    return stays_positive({sign * left.value, sign * left.slope}, {sign * right.value, sign * right.slope}, width,
+                          smooth);
 }
 
 /// Where between two values of opposite sign the root is to be expected, from 0 to 1: the heading as a cubic of the value.
@@ -145,6 +148,10 @@ private:
         runs_.moves.clear();
         runs_.moves.reserve(room_for_moves);
         asked_.clear();
+        asked_.reserve(cells + 1);
+        pieces_.reserve(2 * cells);
+        under_way_.reserve(side_by_side);
+        leaves_.reserve(4 * cells);
         for (int i = 0; i <= cells; ++i) {
             const double part = static_cast<double>(i) / cells;
             ask(headings.min + (headings.max - headings.min) * part);
@@ -155,8 +162,8 @@ private:
         for (std::size_t i = asked_.size() - 1; i > 0; --i) pieces_.push_back({asked_[i - 1], asked_[i]});
         emit(asked_.back());
         while (!pieces_.empty() || !under_way_.empty()) round();
-        std::stable_sort(leaves_.begin() + static_cast<std::ptrdiff_t>(first_leaf), leaves_.end(),
-                         [](const Leaf& a, const Leaf& b) { return a.heading < b.heading; });
+        std::sort(leaves_.begin() + static_cast<std::ptrdiff_t>(first_leaf), leaves_.end(),
+                  [](const Leaf& a, const Leaf& b) { return a.heading < b.heading; });
         leaves_.push_back({std::numeric_limits<double>::quiet_NaN(), never});  // ranges end here
     }
 
