@@ -98,7 +98,11 @@ struct ParkMap::Swept {
 ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& options) {
     check_between("maximum of direction changes", options.max_changes, 0.0, limits::most_changes_fewest, "");
     check_between("clearance", options.clearance, 0.0, limits::longest, " m");
-    check_between("spacing", options.spacing, 0.001, car.turning_radius() / 32.0, " m");
+    constexpr double usual = 0.08, finest = 0.001;  // [m]
+    const double coarsest = car.turning_radius() / 32.0;
+    ParkMapOptions asked = options;
+    if (asked.spacing == 0.0) asked.spacing = std::min(usual, coarsest);
+    check_between("spacing", asked.spacing, finest, coarsest, " m");
     if (options.heading)
         check_between("heading of the street", *options.heading, -limits::farthest, limits::farthest, " rad");
     Chart chart;
@@ -108,10 +112,10 @@ ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& optio
         throw Error("the street's heading and the parked one are more than 150 degrees apart; name the nearer of the two "
                     "directions of the street");
     constexpr double most_cells = 4e6;
-    const double cells = (here.x_max - here.x_min) * 2.0 * here.radius / (options.spacing * options.spacing);
+    const double cells = (here.x_max - here.x_min) * 2.0 * here.radius / (asked.spacing * asked.spacing);
     if (cells > most_cells)
         throw Error("the region is " + spelled(std::round(here.x_max - here.x_min)) + " m long: at a spacing of " +
-                    spelled(options.spacing) + " m its map would take " + spelled(std::round(cells / 1e5) / 10.0) +
+                    spelled(asked.spacing) + " m its map would take " + spelled(std::round(cells / 1e5) / 10.0) +
                     " million cells, but at most " + spelled(most_cells / 1e6) +
                     " million are supported; name a smaller region, or a coarser spacing");
     const double reach = std::max(std::abs(here.y_min), std::abs(here.y_max));
@@ -122,7 +126,7 @@ ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& optio
         if (options.progress && !options.progress()) throw Stopped{};
     };
     try {
-        swept_ = std::make_shared<const Swept>(car, place, options, watch);
+        swept_ = std::make_shared<const Swept>(car, place, asked, watch);
     } catch (const Stopped&) {
         throw Error("the map was given up before it was done");
     }
@@ -163,11 +167,11 @@ std::optional<Maneuver> ParkMap::maneuver(const Pose& pose) const {
     const Pose here = map.in_chart(pose);
     const std::optional<Joining> joining = map.inner.joining(here);
     if (!joining) return std::nullopt;
-    std::vector<detail::Path> way = map.inner.way(here, *joining);
+    const std::vector<detail::Path> way = with_few_pieces(map.here, map.inner.way(here, *joining));
     if (way.empty() || !is_parked(map.here, way.back().at(way.back().length))) return std::nullopt;
     for (const detail::Path& piece : way)
         if (!is_free(map.here, piece)) return std::nullopt;
-    return detail::in_world(map.car, pose, with_few_pieces(map.here, way));
+    return detail::in_world(map.car, pose, way);
 }
 
 const Car& ParkMap::car() const { return swept_->car; }

@@ -14,9 +14,10 @@
 namespace snug {
 
 struct ParkMapOptions {
-    double spacing = 0.08;    ///< of the lattice [m]; half of it takes four times as long
-    double clearance = 0.0;   ///< grows the frame for contacts [m]
-    int max_changes = 50;     ///< counted up to, 0 to 1000
+    /// Of the lattice [m]; half of it takes four times as long. 0: 8 cm, or a 32nd of the turning radius where that is less.
+    double spacing = 0.0;
+    double clearance = 0.0;  ///< grows the frame for contacts [m]
+    int max_changes = 50;    ///< counted up to, 0 to 1000
     /// Of the cars that come along [rad]: the map covers headings within 80 degrees of the middle between this and the parked one.
     /// Empty: the parked one; of a street: its own.
     std::optional<double> heading = {};

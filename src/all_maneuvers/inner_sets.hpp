@@ -59,6 +59,10 @@ constexpr std::uint32_t not_measured = 0xFFFFFFFF;  ///< as a count
 InnerSet::Few free_intervals(const std::vector<Band>& solids, double x, const Interval& within, double wary,
                              std::vector<Interval>& taken, std::vector<Interval>& intervals);
 
+/// The same with what is taken given; it is sorted.
+InnerSet::Few free_between(const Interval& within, double wary, std::vector<Interval>& taken,
+                           std::vector<Interval>& intervals);
+
 /// In rising order; overlapping ones become one, of many the longest are kept.
 void tidy(std::vector<Interval>& intervals, std::size_t most);
 

@@ -147,21 +147,20 @@ InnerMap::InnerMap(const ChartPlace& place, double h, int most, const Watching& 
     width_ = static_cast<std::size_t>(cell_of(last_column_) + 2 - first_cell_) + 1;
     first_row_ = static_cast<int>(std::floor(place.x_min / (h / 2.0))) - 2;
     last_row_ = static_cast<int>(std::ceil(place.x_max / (h / 2.0))) + 2;
-    measure_columns(watch);
     const std::size_t nodes = static_cast<std::size_t>(last_row_ - first_row_ + 1) * width_;
-    for (Free& free : free_) free.of.assign(nodes, {0, not_measured});
+    for (std::vector<InnerSet::Few>& free : free_) free.resize(nodes);
+    const std::vector<Band> parked_at = measure_columns(watch);
 
     std::vector<Logged> parked;
     for (int row = first_row_ + 2; row <= last_row_ - 2; ++row) {
         for (int d = first_column_ + ((first_column_ ^ row) & 1); d <= last_column_; d += 2) {
-            const Band& band = free_[at_node].columns[static_cast<std::size_t>(d - first_column_)].parked;
+            const Band& band = parked_at[static_cast<std::size_t>(d - first_column_)];
             if (x(row) < band.from || x(row) > band.to) continue;
             double low = 0.0, high = 0.0;
             band.at(x(row), low, high);
             if (low + wary > high - wary) continue;
-            const InnerSet::Few free = measured(at_node, row, d);
-            for (std::uint32_t i = free.begin; i < free.begin + free.count; ++i) {
-                const Interval both = {std::max(low + wary, intervals_[i].low), std::min(high - wary, intervals_[i].high)};
+            for (const Interval& free : known(at_node, row, d)) {
+                const Interval both = {std::max(low + wary, free.low), std::min(high - wary, free.high)};
                 if (both.low <= both.high)
                     parked.push_back({static_cast<std::uint32_t>(index(row, cell_of(d))), both});
             }
@@ -171,7 +170,7 @@ InnerMap::InnerMap(const ChartPlace& place, double h, int most, const Watching& 
                                 [](const Logged& one, int) { return one.y; });
 
     BothWays<std::vector<Logged>> logs;  // by level
-    std::vector<Set> sets[2] = {std::vector<Set>(nodes), std::vector<Set>(nodes)};
+    std::vector<InnerSet::Few> sets[2] = {std::vector<InnerSet::Few>(nodes), std::vector<InnerSet::Few>(nodes)};
     changed_.resize(nodes);
     for (int k = 0; k <= most; ++k) {
         for (const Direction direction : both_directions) {
@@ -185,9 +184,14 @@ InnerMap::InnerMap(const ChartPlace& place, double h, int most, const Watching& 
     forward_ = by_cell<Level>(logs.forward, nodes, level);
     backward_ = by_cell<Level>(logs.backward, nodes, level);
     changed_ = {};
+    reached_ = {};
+    taken_ = {};
+    lows_ = highs_ = {};
+    intervals_.shrink_to_fit();
 }
 
-void InnerMap::measure_columns(const Watching& watch) {
+std::vector<Band> InnerMap::measure_columns(const Watching& watch) {
+    std::vector<Band> parked;
     const double r = place_.radius;
     for (int d = first_column_; d <= last_column_; ++d) level_.push_back(r * cosine_of(sine(d)));
     ChartPlace swept = place_;
@@ -203,7 +207,9 @@ void InnerMap::measure_columns(const Watching& watch) {
         const auto off = [&](double farthest) { return (farthest / 2.0 + 2.0 * r) * most * most + 1e-7; };
         ChartPlace here = place_;
         for (HalfPlane& edge : here.region) edge.offset -= off(r);
-        free_[at_node].columns.push_back(bands_at(here, sine(d)));
+        Bands bands = bands_at(here, sine(d));
+        measure(at_node, d, bands);
+        parked.push_back(std::move(bands.parked));
 
         const Pose start = {0.0, 0.0, heading};
         const auto sweeps = [&](const std::vector<Pose>& poses, double bulge_angle, double side) {
@@ -223,32 +229,74 @@ void InnerMap::measure_columns(const Watching& watch) {
         const bool has_left = d < last_column_, has_right = d > first_column_;
         const double up_left = has_left ? at(d) - at(d + 1) : 0.0, up_right = has_right ? at(d - 1) - at(d) : 0.0;
         const Pose left_side = {h_ / 2.0, up_left, heading + after}, right_side = {h_ / 2.0, up_right, heading - before};
-        free_[to_left].columns.push_back(has_left ? sweeps({start, left_side}, after, 1.0) : Bands{});
-        free_[to_right].columns.push_back(has_right ? sweeps({start, right_side}, before, -1.0) : Bands{});
+        if (has_left) measure(to_left, d, sweeps({start, left_side}, after, 1.0));
+        if (has_right) measure(to_right, d, sweeps({start, right_side}, before, -1.0));
         const Pose one = {h_, 2.0 * up_left, heading}, two = {h_, 2.0 * up_right, heading};
-        free_[across].columns.push_back(
-            has_left && has_right ? sweeps({start, left_side, right_side, one, two}, most, 0.0) : Bands{});
+        if (has_left && has_right) measure(across, d, sweeps({start, left_side, right_side, one, two}, most, 0.0));
+    }
+    return parked;
+}
+
+void InnerMap::measure(Kind kind, int column, const Bands& bands) {
+    // Line by line over all rows of the column, so that it is done in vectors.
+    const int first = first_row_ + 2 + ((first_row_ ^ column) & 1), last = last_row_ - 2;
+    const auto rows = static_cast<std::size_t>(std::max(0, (last - first) / 2 + 1));
+    std::vector<double>& low = lows_;
+    std::vector<double>& high = highs_;
+    low.assign(bands.solids.size() * rows, -std::numeric_limits<double>::infinity());
+    high.assign(low.size(), std::numeric_limits<double>::infinity());
+    struct Part {
+        std::size_t from, to;
+    };
+    std::vector<Part> parts;
+    for (std::size_t k = 0; k < bands.solids.size(); ++k) {
+        const Band& solid = bands.solids[k];
+        const auto row_at = [&](double at, auto&& rounded) {
+            const double i = rounded((at - x(first)) / h_);
+            return static_cast<std::size_t>(std::clamp(i, 0.0, static_cast<double>(rows)));
+        };
+        const Part part = {row_at(solid.from, [](double i) { return std::floor(i); }),
+                           row_at(solid.to, [](double i) { return std::ceil(i) + 1.0; })};
+        parts.push_back(part);
+        const double x0 = x(first);
+        double *lower = low.data() + k * rows, *upper = high.data() + k * rows;
+        for (const Band::Line& line : solid.lower) {
+            const double at = line.at_0 + line.slope * x0, step = line.slope * h_;
+            for (std::size_t i = part.from; i < part.to; ++i)
+                lower[i] = std::max(lower[i], at + step * static_cast<double>(static_cast<int>(i)));
+        }
+        for (const Band::Line& line : solid.upper) {
+            const double at = line.at_0 + line.slope * x0, step = line.slope * h_;
+            for (std::size_t i = part.from; i < part.to; ++i)
+                upper[i] = std::min(upper[i], at + step * static_cast<double>(static_cast<int>(i)));
+        }
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        const int row = first + 2 * static_cast<int>(i);
+        const std::size_t node = index(row, cell_of(column));
+        Interval within = {-farthest_y, farthest_y};
+        if (kind == at_node)
+            bands.region.at(x(row), within.low, within.high);
+        else if (free_[at_node][node].count == 0)
+            continue;
+        taken_.clear();
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            if (i < parts[k].from || i >= parts[k].to || x(row) < bands.solids[k].from || x(row) > bands.solids[k].to)
+                continue;
+            const Interval solid = {low[k * rows + i], high[k * rows + i]};
+            if (solid.low < solid.high && solid.high > within.low && solid.low < within.high) taken_.push_back(solid);
+        }
+        free_[kind][node] = free_between(within, wary, taken_, intervals_);
     }
 }
 
-InnerSet::Few InnerMap::measured(Kind kind, int row, int column) {
-    InnerSet::Few& few = free_[kind].of[index(row, cell_of(column))];
-    if (few.count != not_measured) return few;
-    const Bands& bands = free_[kind].columns[static_cast<std::size_t>(column - first_column_)];
-    double low = -farthest_y, high = farthest_y;
-    if (kind == at_node) bands.region.at(x(row), low, high);
-    few = free_intervals(bands.solids, x(row), {low, high}, wary, taken_, intervals_);
-    return few;
-}
-
 InnerSet::Range InnerMap::known(Kind kind, int row, int column) const {
-    const InnerSet::Few few = free_[kind].of[index(row, cell_of(column))];
-    if (few.count == not_measured) return {};
+    const InnerSet::Few few = free_[kind][index(row, cell_of(column))];
     return {intervals_.data() + few.begin, intervals_.data() + few.begin + few.count};
 }
 
 std::vector<InnerMap::Logged> InnerMap::sweep(const std::vector<Logged>& begins, Direction direction,
-                                              std::vector<Set>& sets, const Watching& watch) {
+                                              std::vector<InnerSet::Few>& sets, const Watching& watch) {
     std::vector<Logged> log;
     std::fill(changed_.begin(), changed_.end(), std::uint8_t{0});
     struct Part {
@@ -297,12 +345,13 @@ std::vector<InnerMap::Logged> InnerMap::sweep(const std::vector<Logged>& begins,
                        from_opposite = changed_[opposite] != 0;
             if (first_begin == next && !from_left && !from_right && !from_opposite) continue;
             ++updates;
-            Set& set = sets[here];
+            InnerSet::Few& set = sets[here];
+            const auto old = [&](std::uint32_t i) -> const Interval& { return reached_[set.begin + i]; };
             found.clear();
             const auto add = [&](double low, double high) {
                 if (low > high) return;
-                for (int i = 0; i < set.count; ++i)
-                    if (set.of[i].low <= low && high <= set.of[i].high) return;
+                for (std::uint32_t i = 0; i < set.count; ++i)
+                    if (old(i).low <= low && high <= old(i).high) return;
                 found.push_back({low, high});
             };
             for (std::size_t i = first_begin; i < next; ++i)
@@ -310,16 +359,18 @@ std::vector<InnerMap::Logged> InnerMap::sweep(const std::vector<Logged>& begins,
                     std::floor(begins[i].y.high / begin_grid) * begin_grid);
             // From the column to the left the car keeps y + r cos forward, from the right y - r cos; backward the reverse.
             // Only where the whole step is free: seen from the end at which forward it begins.
-            const auto add_step = [&](const Set& from, Kind kind, int column, double least, double most) {
-                const InnerSet::Few free = forward ? measured(kind, kind == across ? row - 2 : row - 1, column)
-                                                   : measured(kind, row, d);
-                for (int i = 0; i < from.count; ++i) {
-                    for (std::uint32_t m = free.begin; m < free.begin + free.count; ++m) {
-                        const Interval& gap = intervals_[m];
-                        if (forward)
-                            add(std::max(from.of[i].low, gap.low) + least, std::min(from.of[i].high, gap.high) + most);
-                        else
-                            add(std::max(from.of[i].low + least, gap.low), std::min(from.of[i].high + most, gap.high));
+            const auto add_step = [&](const InnerSet::Few& from, Kind kind, int column, double least, double most) {
+                const InnerSet::Range free = forward ? known(kind, kind == across ? row - 2 : row - 1, column)
+                                                     : known(kind, row, d);
+                for (std::uint32_t i = from.begin; i < from.begin + from.count; ++i) {
+                    const Interval& of = reached_[i];
+                    for (const Interval& gap : free) {
+                        if (!forward) {
+                            add(std::max(of.low + least, gap.low), std::min(of.high + most, gap.high));
+                        } else if (const double low = std::max(of.low, gap.low), high = std::min(of.high, gap.high);
+                                   low <= high) {
+                            add(low + least, high + most);
+                        }
                     }
                 }
             };
@@ -331,31 +382,29 @@ std::vector<InnerMap::Logged> InnerMap::sweep(const std::vector<Logged>& begins,
                 add_step(sets[opposite], across, d, 2.0 * std::min(by_left, by_right),
                          2.0 * std::max(by_left, by_right));
             if (found.empty()) continue;
-            const InnerSet::Few free = measured(at_node, row, d);
             const std::size_t all = found.size();
             for (std::size_t i = 0; i < all; ++i) {
-                for (std::uint32_t m = free.begin; m < free.begin + free.count; ++m) {
-                    const Interval both = {std::max(found[i].low, intervals_[m].low),
-                                           std::min(found[i].high, intervals_[m].high)};
+                for (const Interval& free : known(at_node, row, d)) {
+                    const Interval both = {std::max(found[i].low, free.low), std::min(found[i].high, free.high)};
                     if (both.low <= both.high) found.push_back(both);
                 }
             }
             found.erase(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(all));
             if (found.empty()) continue;
-            found.insert(found.end(), set.of, set.of + set.count);
+            for (std::uint32_t i = 0; i < set.count; ++i) found.push_back(old(i));
             tidy(found, most_intervals);
             bool changed = false;
             for (const Interval& interval : found) {
-                const bool known = std::any_of(set.of, set.of + set.count, [&](const Interval& old) {
-                    return old.low == interval.low && old.high == interval.high;
-                });
-                if (known) continue;
+                bool is_known = false;
+                for (std::uint32_t i = 0; i < set.count; ++i)
+                    is_known = is_known || (old(i).low == interval.low && old(i).high == interval.high);
+                if (is_known) continue;
                 changed = true;
                 log.push_back({static_cast<std::uint32_t>(here), interval});
             }
             if (!changed) continue;
-            set.count = static_cast<std::uint8_t>(found.size());
-            std::copy(found.begin(), found.end(), set.of);
+            set = {static_cast<std::uint32_t>(reached_.size()), static_cast<std::uint32_t>(found.size())};
+            reached_.insert(reached_.end(), found.begin(), found.end());
             changed_[here] = 1;
             if (live.empty()) live.from = cell;
             live.to = cell;
@@ -364,84 +413,70 @@ std::vector<InnerMap::Logged> InnerMap::sweep(const std::vector<Logged>& begins,
     return log;
 }
 
-double InnerMap::room(Direction leaving, int row, int column, int changes, double y) const {
-    if (!has(row, column)) return -1.0;
+template <class Do>
+void InnerMap::each_reached(Direction leaving, int row, int column, int changes, const Do& act) const {
+    if (!has(row, column)) return;
     const ByCell<Level>& levels = leaving == Direction::forward ? forward_ : backward_;
     const std::size_t cell = index(row, cell_of(column));
-    double most = -1.0;
     for (const Level* level = levels.first(cell); level != levels.last(cell) && level->changes <= changes; ++level)
-        most = std::max(most, room_in(level->y, y));
-    return most;
+        act(level->y);
 }
 
-double InnerMap::room_to_begin(Direction leaving, const At& at, int changes) const {
-    if (changes > 0) return room(other(leaving), at.row, at.column, changes - 1, at.y);
-    const std::size_t cell = index(at.row, cell_of(at.column));
-    double most = -1.0;
-    for (const Interval* parked = parked_.first(cell); parked != parked_.last(cell); ++parked)
-        most = std::max(most, room_in(*parked, at.y));
-    return most;
+template <class Do>
+void InnerMap::each_begin(Direction leaving, int row, int column, int changes, const Do& act) const {
+    if (changes > 0) return each_reached(other(leaving), row, column, changes - 1, act);
+    if (!has(row, column)) return;
+    const std::size_t cell = index(row, cell_of(column));
+    std::for_each(parked_.first(cell), parked_.last(cell), act);
 }
-
-namespace {
-
-/// The farthest, or with -1 the nearest, that a shape at a pose reaches in a direction.
-struct Reach {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-
-    void add(const std::vector<Point>& shape, const Pose& at, double sine, double cosine, const Point& n) {
-        // The direction as the car sees it.
-        const double ahead = n.x * cosine + n.y * sine, aside = n.y * cosine - n.x * sine;
-        const double here = n.x * at.x + n.y * at.y;
-        for (const Point& p : shape) {
-            const double reach = here + ahead * p.x + aside * p.y;
-            least = std::min(least, reach);
-            most = std::max(most, reach);
-        }
-    }
-};
-
-}  // namespace
 
 bool InnerMap::is_apart(const Moved& from, const Moved& to, double side) const {
+    constexpr double touch = 1e-9;  ///< deeper is contact [m]
+    // Both ends turned about one centre. What a point reaches along a direction lies between that at the ends, unless it
+    // turns back on the way: then it is off by no more than an arc bulges.
     const double angle = std::abs(to.at.heading - from.at.heading);
-    for (const HalfPlane& edge : place_.region) {
-        const double bulge = place_.radius * angle * angle / 7.9;
-        for (const Moved* car : {&from, &to})
-            if (edge.normal.x * car->at.x + edge.normal.y * car->at.y > edge.offset - bulge) return false;
-    }
+    const double off = angle * angle / 7.9;
+    const Point centre_seen = {0.0, side * place_.radius};
+    const Point centre = from.of(centre_seen);
+    const auto most_along = [off](const Point& n, const Point& one, const Point& two, const Point& about) {
+        const double turning_one = n.x * (one.y - about.y) - n.y * (one.x - about.x);
+        const double turning_two = n.x * (two.y - about.y) - n.y * (two.x - about.x);
+        const double most = std::max(n.x * one.x + n.y * one.y, n.x * two.x + n.y * two.y);
+        if (turning_one * turning_two > 0.0) return most;
+        return most + off * angles::hypot(n.x, n.y) * angles::hypot(one.x - about.x, one.y - about.y);
+    };
+    for (const HalfPlane& edge : place_.region)
+        if (most_along(edge.normal, {from.at.x, from.at.y}, {to.at.x, to.at.y}, centre) > edge.offset + touch) return false;
     for (const ChartPlace::Solid& solid : place_.solids) {
         const std::vector<Point>& shape = place_.shapes[solid.stops];
-        double farthest = 0.0;
-        for (const Point& p : shape)
-            farthest = std::max(farthest, angles::hypot(p.x, p.y - side * place_.radius));
-        const double bulge = farthest * angle * angle / 7.9 + 1e-9;
-        const auto parts = [&](const Point& n, double length) {
-            Reach car;
-            car.add(shape, from.at, from.sine, from.cosine, n);
-            car.add(shape, to.at, to.sine, to.cosine, n);
+        // Along a direction in the world the whole car stays short of the whole solid.
+        const auto stays_short = [&](const Point& n) {
             double least = std::numeric_limits<double>::infinity();
             for (const Point& p : solid.corners) least = std::min(least, n.x * p.x + n.y * p.y);
-            return least - car.most >= bulge * length;
+            const double length = angles::hypot(n.x, n.y);
+            if (!(length > 0.0)) return false;
+            return std::all_of(shape.begin(), shape.end(), [&](const Point& p) {
+                return most_along(n, from.of(p), to.of(p), centre) <= least + touch * length;
+            });
         };
         bool apart = false;
         const std::size_t corners = solid.corners.size();
         for (std::size_t i = 0; i < corners && !apart; ++i) {
             const Point &one = solid.corners[i], &two = solid.corners[(i + 1) % corners];
-            const Point n = {one.y - two.y, two.x - one.x};  // into the solid
-            apart = parts(n, angles::hypot(n.x, n.y));
+            apart = stays_short({one.y - two.y, two.x - one.x});
         }
         for (std::size_t i = 0; i < shape.size() && !apart; ++i) {
+            // Beyond an edge of the car all the way: seen from the car the solid turns about the centre.
             const Point &one = shape[i], &two = shape[(i + 1) % shape.size()];
-            const Point n = {two.y - one.y, one.x - two.x};  // out of the car
-            const double length = angles::hypot(n.x, n.y);
-            for (const Moved* car : {&from, &to})
-                apart = apart || parts({n.x * car->cosine - n.y * car->sine, n.x * car->sine + n.y * car->cosine}, length);
-            // Along the way of a corner.
+            const Point n = {one.y - two.y, two.x - one.x};  // into the car
+            const double edge = n.x * one.x + n.y * one.y, length = angles::hypot(n.x, n.y);
+            apart = std::all_of(solid.corners.begin(), solid.corners.end(), [&](const Point& p) {
+                return most_along(n, from.seen(p), to.seen(p), centre_seen) <= edge + touch * length;
+            });
+            // Or along the way of a corner.
             const Point begin = from.of(one), end = to.of(one);
-            const Point along = {end.x - begin.x, end.y - begin.y};
-            const double driven = angles::hypot(along.x, along.y);
-            apart = apart || parts({along.y, -along.x}, driven) || parts({-along.y, along.x}, driven);
+            apart = apart || stays_short({end.y - begin.y, begin.x - end.x}) ||
+                    stays_short({begin.y - end.y, end.x - begin.x});
         }
         if (!apart) return false;
     }
@@ -519,14 +554,27 @@ std::vector<Path> InnerMap::way(const Pose& start, const Joining& joining) const
         const bool upward = direction == Direction::forward;
         for (;;) {
             // Where the next move can begin this one may end; it goes on as long as that gives more room.
-            const double room_here = room_to_begin(leaving, at, k);
+            double room_here = -1.0;
+            each_begin(leaving, at.row, at.column, k,
+                       [&](const Interval& begin) { room_here = std::max(room_here, room_in(begin, at.y)); });
+            const auto each = [&](const At& next, const auto& act) {
+                if (room_here < 0.0)
+                    each_reached(leaving, next.row, next.column, k, act);
+                else
+                    each_begin(leaving, next.row, next.column, k, act);
+            };
+            // A step is seen from the end at which forward it begins.
+            const auto free_at = [&](Kind kind, const At& next) {
+                return upward ? known(kind, at.row, at.column) : known(kind, next.row, next.column);
+            };
             const auto room_at = [&](const At& next, Kind kind) {
-                if (!has(next.row, next.column)) return -1.0;
-                double free = -1.0;
-                for (const Interval& gap : upward ? known(kind, at.row, at.column) : known(kind, next.row, next.column))
+                double room = -1.0, free = -1.0;
+                if (!has(next.row, next.column)) return room;
+                for (const Interval& gap : free_at(kind, next))
                     free = std::max(free, room_in(gap, upward ? at.y : next.y));
-                if (free < 0.0) return -1.0;
-                return room_here < 0.0 ? room(leaving, next.row, next.column, k, next.y) : room_to_begin(leaving, next, k);
+                if (free >= 0.0)
+                    each(next, [&](const Interval& reached) { room = std::max(room, room_in(reached, next.y)); });
+                return room;
             };
             const At left_to = stepper.from(at, left), right_to = stepper.from(at, right);
             const double left_room = room_at(left_to, to_left), right_room = room_at(right_to, to_right);
@@ -536,12 +584,18 @@ std::vector<Path> InnerMap::way(const Pose& start, const Joining& joining) const
             if (has(opposite.row, opposite.column) && has(left_to.row, left_to.column) &&
                 has(right_to.row, right_to.column)) {
                 const double one = 2.0 * (left_to.y - at.y), two = 2.0 * (right_to.y - at.y);
-                for (const double part : {0.5, 0.25, 0.75, 0.0, 1.0}) {
-                    const At next = {opposite.row, opposite.column, at.y + one + part * (two - one)};
-                    const double room = room_at(next, across);
-                    if (room <= across_room) continue;
-                    across_room = room;
-                    opposite = next;
+                for (const Interval& gap : free_at(across, opposite)) {
+                    double from = at.y + std::min(one, two), to = at.y + std::max(one, two);
+                    if (!upward) from = std::max(from, gap.low), to = std::min(to, gap.high);
+                    if (from > to + near_end || (upward && room_in(gap, at.y) < 0.0)) continue;
+                    from = std::min(from, to);
+                    each(opposite, [&](const Interval& reached) {
+                        const double y = std::clamp((reached.low + reached.high) / 2.0, from, to);
+                        const double room = room_in(reached, y);
+                        if (room <= across_room) return;
+                        across_room = room;
+                        opposite.y = y;
+                    });
                 }
             }
             const double most = std::max({left_room, right_room, across_room});
@@ -564,7 +618,7 @@ std::vector<Path> InnerMap::way(const Pose& start, const Joining& joining) const
 
 std::size_t InnerMap::bytes() const {
     std::size_t sum = bytes_of(forward_) + bytes_of(backward_) + bytes_of(parked_) + intervals_.size() * sizeof(Interval);
-    for (const Free& free : free_) sum += free.of.size() * sizeof(InnerSet::Few);
+    for (const std::vector<InnerSet::Few>& free : free_) sum += free.size() * sizeof(InnerSet::Few);
     return sum;
 }
 

@@ -82,21 +82,13 @@ public:
     std::size_t updates = 0;
 
 private:
-    static constexpr int most_intervals = 4;
-    struct Set {
-        std::uint8_t count = 0;
-        Interval of[most_intervals];
-    };
+    static constexpr std::size_t most_intervals = 4;  ///< at a node
     struct Level {
         Interval y;
         int changes;
     };
     /// What is free at nodes, and for steps from them to the left and the right forward and across a cell.
     enum Kind { at_node, to_left, to_right, across, kinds };
-    struct Free {
-        std::vector<Bands> columns;
-        std::vector<InnerSet::Few> of;
-    };
     struct Logged {
         std::uint32_t node;
         Interval y;
@@ -109,14 +101,16 @@ private:
         return row >= first_row_ + 2 && row <= last_row_ - 2 && column >= first_column_ && column <= last_column_;
     }
     [[nodiscard]] double x(int row) const { return row * (h_ / 2.0); }
-    void measure_columns(const Watching& watch);
-    InnerSet::Few measured(Kind kind, int row, int column);
+    std::vector<Band> measure_columns(const Watching& watch);  ///< returns where the car is parked
+    void measure(Kind kind, int column, const Bands& bands);
     [[nodiscard]] InnerSet::Range known(Kind kind, int row, int column) const;
-    std::vector<Logged> sweep(const std::vector<Logged>& begins, Direction direction, std::vector<Set>& sets,
+    std::vector<Logged> sweep(const std::vector<Logged>& begins, Direction direction, std::vector<InnerSet::Few>& sets,
                               const Watching& watch);
-    /// How far y is inside what moves with so many changes reach, in that direction of leaving; negative outside.
-    [[nodiscard]] double room(Direction leaving, int row, int column, int changes, double y) const;
-    [[nodiscard]] double room_to_begin(Direction leaving, const At& at, int changes) const;
+    /// What moves with so many changes reach, in that direction of leaving, and where they begin.
+    template <class Do>
+    void each_reached(Direction leaving, int row, int column, int changes, const Do& act) const;
+    template <class Do>
+    void each_begin(Direction leaving, int row, int column, int changes, const Do& act) const;
     /// The fewest with which the car goes on from a node; negative where it is not known to.
     [[nodiscard]] int changes_from(Direction leaving, const At& node) const;
     struct Moved {
@@ -125,6 +119,11 @@ private:
 
         [[nodiscard]] Point of(const Point& p) const {
             return {at.x + p.x * cosine - p.y * sine, at.y + p.x * sine + p.y * cosine};
+        }
+        /// As the car sees it.
+        [[nodiscard]] Point seen(const Point& p) const {
+            const double x = p.x - at.x, y = p.y - at.y;
+            return {x * cosine + y * sine, y * cosine - x * sine};
         }
     };
     /// Whether an arc of full steering to that side meets nothing for certain, and stays in the region.
@@ -135,8 +134,9 @@ private:
     int first_row_ = 0, last_row_ = 0, first_cell_ = 0, first_column_ = 0, last_column_ = 0;
     std::size_t width_ = 0;
     std::vector<double> level_;
-    Free free_[kinds];
-    std::vector<Interval> intervals_, taken_;
+    std::vector<InnerSet::Few> free_[kinds];
+    std::vector<Interval> intervals_, reached_, taken_;
+    std::vector<double> lows_, highs_;
     std::vector<std::uint8_t> changed_;
     ByCell<Level> forward_, backward_;
     ByCell<Interval> parked_;
