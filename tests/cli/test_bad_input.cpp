@@ -159,7 +159,7 @@ TEST(BadInput, OnlyWordsThatAreNearAreSuggested) {
     suggests(zoe + "--changes 3", "--max-changes");
     suggests(zoe + "--CAR 3", "--car");
     suggests(zoe + "-widht=3", "--width");
-    suggests_nothing(zoe + "--speed 3", "snug entry --help");
+    suggests_nothing(zoe + "--haste 3", "snug entry --help");
     suggests_nothing(zoe + "-x", "snug entry --help");
     const Folder folder;
     suggests("cars " + folder.with("near.json", R"({"wheel-base": 2})"), "\"wheelbase\"");

@@ -77,7 +77,7 @@ TEST(Entry, JsonHasTheDocumentedKeysInOrder) {
     EXPECT_TRUE(answer["max_changes"].is_null());
     EXPECT_EQ(answer["parkable"], true);
     const Json& maneuver = answer["maneuver"];
-    EXPECT_EQ(keys(maneuver), (Keys{"direction_changes", "length", "swept", "entry", "goal", "moves"}));
+    EXPECT_EQ(keys(maneuver), (Keys{"direction_changes", "length", "seconds", "swept", "entry", "goal", "moves"}));
     EXPECT_EQ(keys(maneuver["swept"]), (Keys{"x_min", "x_max", "y_min", "y_max"}));
     EXPECT_EQ(keys(maneuver["entry"]), (Keys{"x", "y", "heading"}));
     for (const Json& move : maneuver["moves"]) {
@@ -203,7 +203,7 @@ TEST(Entry, WhereFullSteeringCannotAnyManeuverIsTold) {
          {"entry --length 15 --width 3 --car " + file,
           std::string("entry --car vw-transporter --length 6.3 --width 2.2"),
           std::string("entry --car renault-zoe --length 4.8 --width 1.84"),
-          std::string("entry --car renault-zoe --length 4.5 --width 2 --strategy reversed-trials")}) {
+          std::string("entry --car renault-zoe --length 4.8 --width 1.84 --strategy reversed-trials")}) {
         const Result result = run(question + " --format json");
         ASSERT_EQ(result.exit_code, 1) << question << result.err;  // the strategy's own answer and exit code stay
         const Json answer = Json::parse(result.out);
