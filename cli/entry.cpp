@@ -203,13 +203,15 @@ Action fewest_action(const Asked& asked, const EntryQuestion& question) {
     options.resolution = asked.resolution.value_or(0.0);
     options.time_limit = asked.time_limit.value_or(options.time_limit);
     options.progress = show_bounds();
-    const Format format = asked.output.format_without_csv("csv lists ranges of headings, but fewest has none");
+    const Format format = asked.output.format();
     return [question, options, format, files = Files(asked)] {
         const Answer answer = fewest(question.car, question.slot, options);
         if (options.progress) wipe_progress();
         std::string text;
         if (format == Format::json) {
             text = fewest_json(question, answer);
+        } else if (format == Format::csv) {
+            text = moves_csv(answer);
         } else {
             text = fewest_text(question, options.max_changes, answer);
             if (!answer.maneuver && answer.proved)
@@ -226,6 +228,22 @@ std::string entry_csv(const Answer& answer) {
     Csv csv({"heading_min", "heading_max", "direction_changes", "subrange"});
     for (const HeadingRange& range : answer.ranges)
         csv.row(range.min, range.max, range.direction_changes, range.subrange);
+    return csv.text();
+}
+
+std::string moves_csv(const Answer& answer) {
+    Csv csv({"direction", "steering_angle", "length", "start_x", "start_y", "start_heading", "end_x", "end_y",
+             "end_heading", "contact_car", "contact_obstacle"});
+    if (!answer.maneuver) return csv.text();
+    for (const Move& move : answer.maneuver->moves) {
+        std::optional<std::string> part, obstacle;
+        if (move.contact) {
+            part = to_string(move.contact->part);
+            obstacle = to_string(move.contact->obstacle);
+        }
+        csv.row(to_string(move.direction), move.steering_angle, move.length, move.start.x, move.start.y,
+                move.start.heading, move.end.x, move.end.y, move.end.heading, part, obstacle);
+    }
     return csv.text();
 }
 

@@ -7,6 +7,7 @@
 #include "cli/table.hpp"
 #include "cli/words.hpp"
 #include "sentences/check.hpp"
+#include "snug/draw.hpp"
 
 namespace snug::cli {
 namespace {
@@ -19,17 +20,6 @@ using Rows = std::vector<std::vector<std::string>>;
 /// Enough decimals to tell the ends of a range of headings apart. [rad] in, decimals of degrees out
 int decimals(double width) {
     return width > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(width / degree))), 3, 12) : 12;
-}
-
-std::string neighbour(Obstacle obstacle) {
-    switch (obstacle) {
-        case Obstacle::front_side: return "front neighbour";
-        case Obstacle::rear_side: return "rear neighbour";
-        case Obstacle::front_corner: return "front slot corner";
-        case Obstacle::rear_corner: return "rear slot corner";
-        case Obstacle::curb: break;
-    }
-    return "curb";
 }
 
 std::string slot_words(const Slot& slot) {
@@ -144,7 +134,7 @@ std::string moves(const EntryQuestion& question, const Maneuver& maneuver, const
             until = at_last;
         } else if (move.contact) {
             until = std::string(to_string(move.contact->part)) + (clearance > 0.0 ? " nears " : " meets ") +
-                    neighbour(move.contact->obstacle);
+                    std::string(called(move.contact->obstacle));
         }
         rows.push_back({std::to_string(rows.size()), std::string(to_string(move.direction)),
                         steering(question.car, move.steering_angle), metres(move.length), until});

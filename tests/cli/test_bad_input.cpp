@@ -169,6 +169,13 @@ TEST(BadInput, OnlyWordsThatAreNearAreSuggested) {
         "turning_radius, curb_to_curb, wall_to_wall, outline, corner_radius or name");
 }
 
+TEST(BadInput, AnOptionOfAnotherCommandIsToldAsSuch) {
+    expect_refusal(run(zoe + "--road 4"), {"\"--road\"", "belongs to snug park or snug leave"});
+    expect_refusal(run("min-slot --car mid-size --width 2 --angle 90"), {"\"--angle\"", "snug park"});
+    expect_refusal(run("park --car mid-size --length 6 --width 2 --min-range 0.1"), {"snug entry or snug min-slot"});
+    expect_refusal(run(zoe + "--gap-curb=0.1"), {"\"--gap-curb\"", "snug leave"});
+}
+
 TEST(BadInput, BytesThatAreNoTextAreShownAsNumbers) {
     const auto shown_as = [](const std::string& typed, const std::string& shown) {
         expect_refusal(run({"entry", "--length", "5", "--width", "2", "--car", typed}), {'"' + shown + '"'});
