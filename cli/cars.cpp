@@ -57,10 +57,10 @@ std::string car_text(const Car& car) {
                   {"max steer", fixed(car.max_steer() / degree, 3) + " deg", "phi_max, largest steering angle"},
                   {"turning radius", metres(car.turning_radius()), "r, of the rear axle centre"},
                   {"curb to curb", metres(car.curb_to_curb()), "d, diameter of the outer front wheel's circle"},
-                  {"wall to wall", metres(car.wall_to_wall()), "diameter of the body's circle"},
-                  {"shape", car.is_rectangle() ? "rectangle" : "outline",
-                   car.is_rectangle() ? "" : "of " + std::to_string(car.outline().corners().size()) + " corners"}},
-                 "lrl");
+                  {"wall to wall", metres(car.wall_to_wall()), "diameter of the body's circle"}},
+                 "lrl") +
+           (car.is_rectangle() ? ""
+                               : "  an outline of " + std::to_string(car.outline().corners().size()) + " corners\n");
 }
 
 }  // namespace

@@ -28,15 +28,15 @@ std::string slot_words(const Slot& slot) {
 }
 
 /// Where the frame is, in the slot frame: how far it keeps from each side, negative when beyond it.
-struct Gaps {
+struct Around {
     double front;
     double rear;
     double curb;
     double road;  ///< how far it stands out into the road
 };
 
-Gaps gaps(const Car& car, const Slot& slot, const Pose& pose) {
-    Gaps gaps = {1e300, 1e300, 1e300, -1e300};
+Around around(const Car& car, const Slot& slot, const Pose& pose) {
+    Around gaps = {1e300, 1e300, 1e300, -1e300};
     for (const Point& in_world : frame(car, pose)) {
         const Point corner = slot.to_slot(in_world);
         gaps.front = std::min(gaps.front, -corner.x);
@@ -91,7 +91,7 @@ std::string entry_position(const EntryQuestion& question, const Answer& answer) 
     const std::string touching = backward ? "front" : "rear";
     const Pose pose = answer.maneuver->entry();
     const Pose in_slot = question.slot.to_slot(pose);
-    const Gaps room = gaps(question.car, question.slot, pose);
+    const Around room = around(question.car, question.slot, pose);
 
     const double heading = std::abs(off_parallel(question.slot, pose));
     const HeadingRange* range = widest_range(answer.ranges, *answer.direction_changes);
@@ -145,7 +145,7 @@ std::string moves(const EntryQuestion& question, const Maneuver& maneuver, const
 }
 
 std::string result(const EntryQuestion& question, const Maneuver& maneuver) {
-    const Gaps left = gaps(question.car, question.slot, maneuver.goal());
+    const Around left = around(question.car, question.slot, maneuver.goal());
     return "\nHow it ends\n" +
            table({{"driven", driven(maneuver)},
                   {"swing-out", metres(swept(maneuver, question.slot).y_max) + " into the road at most"},
