@@ -55,7 +55,7 @@ TEST(Atlas, StoredSlotsAreAnsweredAsByEntry) {
         const std::string slot = " --car renault-zoe --format json " + where;
         const Result fresh = run("entry" + slot);
         json wanted = json::parse(fresh.out);
-        for (const char* key : {"proved", "undecided", "proved_changes"})
+        for (const char* key : {"proved", "undecided", "proved_changes", "any_maneuver"})
             wanted.erase(key);  // an atlas holds quick answers
         for (const std::string file : {"a.sqlite", "a.atlas"}) {
             SCOPED_TRACE(file + slot);
@@ -321,7 +321,7 @@ TEST(Atlas, WrongInputIsToldAndNothingIsStarted) {
     ASSERT_EQ(run(build(file)).exit_code, 0);
     const std::string ask = "atlas query --db " + file + " --car ";
     expect_refusal(run(ask + "mid-size" + sizes), {"mid-size", "not in the atlas", "opel-corsa, renault-zoe"});
-    expect_refusal(run(ask + "opel-corsa --width 2 --length 7"), {"--length", "from 4.4 m to 5.2 m", "ask for 5.2"});
+    expect_refusal(run(ask + "opel-corsa --width 2 --length 4.3"), {"--length", "from 4.4 m to 5.2 m", "built first"});
     expect_refusal(run(ask + "opel-corsa --width 1 --length 5"), {"--width", "from 1.8 m to 2.2 m"});
     expect_refusal(run(ask + "opel-corsa --format csv" + sizes), {"--format", "export"});
     expect_refusal(run("atlas export --db " + file + " -o " + folder.file("a.txt")), {".csv or .atlas"});
