@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "full_steering/follow.hpp"
@@ -26,8 +27,10 @@ namespace {
 constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double least_gap = 1e-13;  ///< between the two sides of a root; beyond rounding, short of any range [rad]
 constexpr std::size_t most_moves = 30'000'000;
-constexpr std::size_t side_by_side = 16;      ///< pieces under way: with fewer, lanes are left empty; more take memory
-constexpr std::size_t room_for_moves = 2048;  ///< at first
+/// Pieces under way where runs are driven in vectors: with fewer, lanes are left empty; more take memory.
+constexpr std::size_t side_by_side = 16;
+constexpr std::size_t room_for_moves =
+    2048;  ///< at first: so much that it is not given back to the system after every search
 
 /// What `move` met, and what else it may come to meet in a quarter turn without a jump: the car rolls from an edge onto
 /// the corner at its end and back. Only the tail that swings up behind the rear corner does not roll, it flies.
@@ -140,7 +143,9 @@ private:
         Asks asks = Asks::nothing;
         double middle = 0.0;  ///< where to split it
         std::size_t asked = 0;
-        Root root = {};
+        std::optional<Root> root;
+
+        explicit Piece(const Interval& of) : Interval(of) {}
     };
 
     void search(const Headings& headings) {
@@ -172,11 +177,12 @@ private:
         throw_away();
         asked_.clear();
         std::erase_if(under_way_, [this](Piece& piece) { return !ask_for(piece); });
-        // Whoever wants any heading gets the first from the left.
-        while (under_way_.size() < (find_ == Find::any ? 1 : side_by_side) && !pieces_.empty()) {
-            Piece piece = {pieces_.back()};
+        // Whoever wants any heading gets the first from the left; and what is driven alone is driven quicker after its like.
+        const std::size_t most = runs_.vectors && find_ != Find::any ? side_by_side : 1;
+        while (under_way_.size() < most && !pieces_.empty()) {
+            under_way_.emplace_back(pieces_.back());
             pieces_.pop_back();
-            if (ask_for(piece)) under_way_.push_back(piece);
+            if (!ask_for(under_way_.back())) under_way_.pop_back();
         }
         drive_asked();
         std::erase_if(under_way_, [this](Piece& piece) { return take(piece); });
@@ -195,7 +201,7 @@ private:
         piece.asked = asked_.size();
         if (piece.asks == Asks::middle) {
             ask(piece.middle);
-        } else if (piece.asks == Asks::step && interests(piece.root)) {
+        } else if (piece.asks == Asks::step && interests(*piece.root)) {
             step_to_root(piece);
         } else {
             explore(piece);
@@ -206,12 +212,12 @@ private:
     /// Takes the run that a piece has asked for; true if that splits it.
     bool take(Piece& piece) {
         const Run& first = asked_[piece.asked];
-        Root& root = piece.root;
         if (piece.asks == Asks::middle) {
             pieces_.push_back({first, piece.right});
             pieces_.push_back({piece.left, first});
             return true;
         }
+        Root& root = *piece.root;
         if (piece.asks == Asks::sides) {
             const Run& last = asked_[piece.asked + (root.before.count == 0 && root.after.count == 0 ? 1 : 0)];
             if (root.before.count == 0) root.before = first;
@@ -240,8 +246,9 @@ private:
         for (Piece& piece : under_way_) {
             need(piece.left);
             need(piece.right);
-            need(piece.root.before);
-            need(piece.root.after);
+            if (!piece.root) continue;
+            need(piece.root->before);
+            need(piece.root->after);
         }
         std::sort(needed.begin(), needed.end(), [](const Run* a, const Run* b) { return a->first < b->first; });
         std::size_t end = 0;
@@ -377,7 +384,7 @@ private:
 
     /// Splits at the root of a quantity of move n, as close as rounding lets it be told.
     void seek_root(Piece& piece, std::size_t n, Quantity quantity) {
-        Root& root = piece.root = {};
+        Root& root = piece.root.emplace();
         root.n = n;
         root.quantity = quantity;
         root.a = piece.left.heading;
@@ -392,7 +399,7 @@ private:
     /// Newton from the better end, each step a thousandth longer so that the root comes to lie between; bisection where that
     /// does not help.
     void step_to_root(Piece& piece) {
-        Root& root = piece.root;
+        Root& root = *piece.root;
         const double width = root.b - root.a;
         if (root.steps == 200 || !(width > least_gap)) return ask_for_sides(piece);
         const bool from_a = std::abs(root.at_a.value) < std::abs(root.at_b.value);
@@ -416,7 +423,7 @@ private:
     }
 
     void take_step(Piece& piece, const Run& run) {
-        Root& root = piece.root;
+        Root& root = *piece.root;
         const Sample value = root.quantity(steering_, move(run, root.n));
         const bool other_event =
             std::isnan(value.value) || (root.nearly_there && run.changes < static_cast<int>(root.n));
@@ -438,15 +445,15 @@ private:
 
     void ask_for_sides(Piece& piece) {
         piece.asks = Asks::sides;
-        if (piece.root.before.count == 0) ask(piece.root.a);
-        if (piece.root.after.count == 0) ask(piece.root.b);
+        if (piece.root->before.count == 0) ask(piece.root->a);
+        if (piece.root->after.count == 0) ask(piece.root->b);
         if (asked_.size() == piece.asked) split_beside_root(piece);
     }
 
     void split_beside_root(const Piece& piece) {
-        emit(piece.root.before);
-        pieces_.push_back({piece.root.after, piece.right});
-        pieces_.push_back({piece.left, piece.root.before});
+        emit(piece.root->before);
+        pieces_.push_back({piece.root->after, piece.right});
+        pieces_.push_back({piece.left, piece.root->before});
     }
 
     void emit(const Run& run) { leaves_.push_back({run.heading, run.changes}); }
