@@ -357,7 +357,7 @@ private:
             const auto count = static_cast<int>(steering_.problem.body.corners().size());
             const auto edge = [&](int index) { return edge_of(steering_, *met, (index + count) % count); };
             int last = met->part;
-            while (last < met->part + count && edge(last + 1).to > 0.0) ++last;
+            while (last < met->part + count && edge(last + 1).from > 0.0) ++last;
             int nearest = met->part;
             while (nearest > met->part - count && edge(nearest).from > 0.0) --nearest;
             const auto seek = [&](Quantity passes, int index) {
@@ -409,6 +409,8 @@ private:
                     return split(piece, 0.5);
                 }
             }
+            if (alike && a.part != b.part && seek_missed_corner(piece, n, a, b))
+                return;  // the tail flies on past an edge
             if (first > 0.0 && !keeps_sign(first_graze(steering_, a), first_graze(steering_, b), width, smooth))
                 return split_within(piece, first_graze(steering_, a), first_graze(steering_, b), smooth);
             if (second > 0.0 && !keeps_sign(second_graze(steering_, a), second_graze(steering_, b), width, smooth))
