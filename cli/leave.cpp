@@ -109,6 +109,8 @@ Action parse_leave(const Arguments& arguments) {
         const Answer answer = leave(question.car, question.slot, pose, limited);
         if (limited.progress) wipe_progress();
         if (files.route) write_file("--waypoints", files.route->path, written(*files.route, answer.maneuver));
+        if (files.timed)
+            write_file("--trajectory", files.timed->path, written(*files.timed, question.car, answer.maneuver));
         if (files.picture && answer.maneuver) {
             const PictureOptions drawn = {limited.driving};
             write_file("--draw", files.picture->path,

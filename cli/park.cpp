@@ -165,13 +165,15 @@ SearchOptions::SearchOptions(Options& options, const std::string& finest)
       resolution(resolution_option(options, finest, "Finest")),
       time_limit(time_limit_option(options, "End")) {}
 
-ParkFileOptions::ParkFileOptions(Options& options) : output(options), draw(draw_option(options)), waypoints(options) {}
+ParkFileOptions::ParkFileOptions(Options& options)
+    : output(options), draw(draw_option(options)), waypoints(options), trajectory(options) {}
 
 ParkFiles ParkFileOptions::files(Format format) const {
     ParkFiles files;
     files.format = format;
     files.picture = picture_file(draw, output);
     files.route = waypoints_file(waypoints, draw, output.file);
+    files.timed = trajectory_file(trajectory, waypoints.file, draw, output.file);
     files.path = output.path();
     return files;
 }
@@ -191,6 +193,8 @@ Action park_action(const ParkQuestion& question, const ParkFiles& files) {
         }
         if (show) wipe_progress();
         if (files.route) write_file("--waypoints", files.route->path, written(*files.route, answer.maneuver));
+        if (files.timed)
+            write_file("--trajectory", files.timed->path, written(*files.timed, question.car, answer.maneuver));
         if (files.picture)
             write_file("--draw", files.picture->path,
                        files.view == ParkView::map ? drawn_map(*files.picture, question)

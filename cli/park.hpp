@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/groups.hpp"
+#include "cli/trajectory.hpp"
 #include "cli/waypoints.hpp"
 #include "snug/park.hpp"
 #include "snug/scene.hpp"
@@ -48,11 +49,12 @@ struct ParkFiles {
     Format format = Format::text;
     std::optional<PictureFile> picture;
     std::optional<WaypointsFile> route;
+    std::optional<TrajectoryFile> timed;
     std::string path;  ///< empty for standard output
     ParkView view = ParkView::maneuver;
 };
 
-/// -o, --format, --draw and --waypoints.
+/// -o, --format, --draw, --waypoints and --trajectory.
 struct ParkFileOptions {
     explicit ParkFileOptions(Options& options);
     [[nodiscard]] ParkFiles files(Format format) const;
@@ -60,6 +62,7 @@ struct ParkFileOptions {
     OutputOptions output;
     Option<std::string> draw;
     WaypointsOptions waypoints;
+    TrajectoryOptions trajectory;
 };
 
 /// Answers the question, with what is known when Ctrl-C is pressed.

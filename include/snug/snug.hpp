@@ -24,6 +24,7 @@
 #include "snug/slot.hpp"
 #include "snug/stepping.hpp"
 #include "snug/strategy.hpp"
+#include "snug/trajectory.hpp"
 #include "snug/trials.hpp"
 #include "snug/version.hpp"
 #include "snug/waypoints.hpp"

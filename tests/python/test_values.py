@@ -85,6 +85,18 @@ def test_waypoints_of_a_maneuver():
     assert abs(points["curvature"]).max() == pytest.approx(1 / CAR.turning_radius)
 
 
+def test_trajectory_of_a_maneuver():
+    points = snug.trajectory(MANEUVER, period=0.1, speed=0.8, steering_rate=0.4)
+    assert (points["x"][0], points["y"][0], points["heading"][0]) == tuple(MANEUVER.entry)
+    assert (points["x"][-1], points["y"][-1], points["heading"][-1]) == tuple(MANEUVER.goal)
+    assert points["time"][1] - points["time"][0] == pytest.approx(0.1)
+    assert abs(points["speed"]).max() <= 0.8 and abs(points["steering_rate"]).max() <= 0.4
+    assert (points["speed"][points["steering_rate"] != 0] == 0).all()
+    assert points["distance"][-1] == pytest.approx(MANEUVER.length)
+    with pytest.raises(snug.Error, match="greatest speed is 0"):
+        snug.trajectory(MANEUVER, speed=0)
+
+
 def test_slot_frames_and_poses_as_tuples():
     slot = snug.Slot(4.5, 2.0, side="left", corner=(3, 1), heading=0.4)
     assert slot.corner == snug.Point(3, 1)

@@ -68,6 +68,7 @@ from ._snug import (
     steer_for_turning_radius as steer_for_turning_radius,
     stepping as stepping,
     swept as swept,
+    trajectory as trajectory,
     waypoints as waypoints,
 )
 
