@@ -48,6 +48,18 @@ struct Condition {
     double kx = 0.0, ky = 0.0;
     std::size_t edge = 0;  ///< which
     double error = 0.0;    ///< of g and of its slope, by rounding in the making and in the use of the above [m]
+    double a = 0.0, b = 0.0, px = 0.0, py = 0.0, k = 0.0;  ///< of a corner: g = a c + b s + px X + py Y + k
+    double radius = 0.0;                                   ///< and sqrt(a^2 + b^2)
+
+    void set_linear() {
+        switch (kind) {
+            case right_of: a = x, b = -y, px = 1.0, k = -level; break;
+            case left_of: a = -x, b = y, px = -1.0, k = level; break;
+            case below: a = -y, b = -x, py = -1.0, k = level; break;
+            case inside: break;
+        }
+        radius = std::sqrt(a * a + b * b);
+    }
 };
 
 /// Between two neighbouring headings at which an edge is parallel to an axis; headings fall from (c, s) on.
@@ -56,6 +68,7 @@ struct Stage {
     std::size_t first = 0, last = 0;       ///< its conditions
     int entry_condition = -1;  ///< of the front neighbour: this and the one before it are zero at the entry position
     bool possible = true;      ///< false: cannot be met here
+    mutable int likely = 0;    ///< the condition that failed when last asked: it is asked first
 };
 
 struct Obstacle {
@@ -73,6 +86,22 @@ enum Met : unsigned char { front, rear, curb, goal };
 struct Steering {
     double across = 0.0;  ///< twice the radius, negative to the right: from this centre to the next one
     std::array<Obstacle, 4> of;
+    double reach = 0.0;         ///< of all corners of the car the farthest from the centre, as |x| + |y|
+    double corner_reach = 0.0;  ///< of the slot's corners, from its origin
+    double error = 0.0;         ///< of no condition it is greater
+
+    void note_reach() {
+        for (const Obstacle& obstacle : of) {
+            for (const Condition& condition : obstacle.conditions) {
+                error = std::max({error, condition.error, 64.0 * unit * std::abs(condition.level)});
+                if (condition.kind == Condition::inside) {
+                    corner_reach = std::max(corner_reach, std::abs(condition.kx) + std::abs(condition.ky));
+                } else {
+                    reach = std::max(reach, std::abs(condition.x) + std::abs(condition.y));
+                }
+            }
+        }
+    }
 };
 
 /// The polygons' corners as they stand at a heading.
@@ -108,6 +137,7 @@ public:
         steering.of[rear] = neighbour(false);
         steering.of[curb] = ground();
         steering.of[goal] = inside();
+        steering.note_reach();
         return steering;
     }
 
@@ -178,6 +208,7 @@ private:
         condition.level = level;
         condition.error = unit * (16.0 * (std::abs(condition.x) + std::abs(condition.y) + std::abs(offset_)) +
                                   16.0 * size_of(corners) + 2.0 * std::abs(level));
+        condition.set_linear();
         return condition;
     }
 
@@ -314,6 +345,21 @@ struct State {
     double x_noise = 0.0, y_noise = 0.0;  ///< of the centre: how far it can be from a straight line in the heading
 };
 
+/// A stretch of headings, and what is known of it when its first moves are driven.
+struct Box {
+    double min = 0.0, max = 0.0;
+    double middle = 0.0, half = 0.0;  ///< its headings are middle + t * half with t in [-1, 1]
+    bool doubtful = false;            ///< it may be no entry position
+    int driven = 0;                   ///< so many moves
+    State state;                      ///< after them
+
+    Box(double least, double most)
+        : min(least),
+          max(most),
+          middle(0.5 * (least + most)),
+          half(std::max(max - middle, middle - min) * upward + 1e-300) {}
+};
+
 /// Why something could not be told, and so where to cut: at the root of a quantity, or (beside a graze) nearer to it.
 struct Failure {
     enum Kind : unsigned char { halve, at_root, beside_graze } kind = halve;
@@ -370,15 +416,12 @@ Gap gap_of(const Condition& of, const State& state, double c, double s) {
 struct Crossing {
     double a, b, constant;
     Crossing(const Condition& of, const State& state) {
-        switch (of.kind) {
-            case Condition::right_of: a = of.x, b = -of.y, constant = state.x.mid - of.level; break;
-            case Condition::left_of: a = -of.x, b = of.y, constant = of.level - state.x.mid; break;
-            case Condition::below: a = -of.y, b = -of.x, constant = of.level - state.y.mid; break;
-            default: {
-                const double x = state.x.mid - of.kx;
-                const double y = state.y.mid - of.ky;
-                a = x * of.x + y * of.y, b = y * of.x - x * of.y, constant = of.level;
-            }
+        if (of.kind == Condition::inside) {
+            const double x = state.x.mid - of.kx;
+            const double y = state.y.mid - of.ky;
+            a = x * of.x + y * of.y, b = y * of.x - x * of.y, constant = of.level;
+        } else {
+            a = of.a, b = of.b, constant = of.px * state.x.mid + of.py * state.y.mid + of.k;
         }
     }
     [[nodiscard]] double at(double c, double s) const { return a * c + b * s + constant; }
@@ -419,36 +462,60 @@ struct Rough {
 
     /// A heading turned by t has the value  value + pace sin t - (a c + b s) (1 - cos t), and one of another centre that
     /// plus normal . (that centre - this one).
-    Rough(const Condition& of, const Crossing& crossing, const State& state, const HeadingForm& at) {
+    Rough(const Condition& of, const Crossing& crossing, const State& state, const HeadingForm& at)
+        : Rough(of, crossing, state, at, at.off.size(), at.off.noise()) {}
+    Rough(const Condition& of, const Crossing& crossing, const State& state, const HeadingForm& at, double wide,
+          double noise) {
         const double reach = std::abs(crossing.a) + std::abs(crossing.b);
         const double rounding = of.error + 64.0 * unit * (reach + std::abs(crossing.constant));
-        const double wide = at.off.size();
         double along = 0.0;
         double centre_error = 0.0;
         double centre_shift = 0.0;  // where the normal turns
-        switch (of.kind) {
-            case Condition::right_of: along = state.x.along, centre_error = state.x_noise; break;
-            case Condition::left_of: along = -state.x.along, centre_error = state.x_noise; break;
-            case Condition::below: along = -state.y.along, centre_error = state.y_noise; break;
-            case Condition::inside:
-                along = (of.x * at.c - of.y * at.s) * state.x.along + (of.x * at.s + of.y * at.c) * state.y.along;
-                centre_error = state.x_noise + state.y_noise;
-                centre_shift = std::abs(state.x.along) + std::abs(state.y.along) + centre_error;
-                break;
+        if (of.kind == Condition::inside) {
+            along = (of.x * at.c - of.y * at.s) * state.x.along + (of.x * at.s + of.y * at.c) * state.y.along;
+            centre_error = state.x_noise + state.y_noise;
+            centre_shift = std::abs(state.x.along) + std::abs(state.y.along) + centre_error;
+        } else {
+            along = of.px * state.x.along + of.py * state.y.along;
+            centre_error = std::abs(of.px) * state.x_noise + std::abs(of.py) * state.y_noise;
         }
         pace = crossing.b * at.c - crossing.a * at.s;
         value = crossing.at(at.c, at.s) + pace * at.off.mid;
         along += pace * at.off.along;
         const double curved =
             (centre_shift + (0.5 * reach + std::abs(pace) * wide) * wide) * wide;  // |sin t - t| < |t|^3
-        value_error =
-            (std::abs(along) + std::abs(pace) * at.off.noise() + curved + centre_error + rounding) * (1.0 + 1e-12);
+        value_error = (std::abs(along) + std::abs(pace) * noise + curved + centre_error + rounding) * (1.0 + 1e-12);
         pace_error = (reach * wide + centre_shift + rounding) * (1.0 + 1e-12);
     }
     [[nodiscard]] bool holds() const { return value > value_error; }
     [[nodiscard]] bool fails() const { return -value > value_error; }
     [[nodiscard]] bool falls() const { return pace > pace_error; }  ///< as the car turns on
     [[nodiscard]] bool rises() const { return -pace > pace_error; }
+};
+
+/// The same once more for all conditions at one heading: no value and no pace is off by more than this. Quicker still, and
+/// enough for most.
+struct Blunt {
+    double c, s;
+    double value_error, pace_error;
+};
+
+/// What is the same for all headings of a move.
+struct Bluntly {
+    double shift, reach, still;
+
+    Bluntly(const Steering& steering, const State& state) {
+        const double centre = std::abs(state.x.mid) + std::abs(state.y.mid);
+        shift = std::abs(state.x.along) + std::abs(state.y.along) + state.x_noise + state.y_noise;
+        reach = std::max(steering.reach, 1.5 * (centre + steering.corner_reach));
+        still = (shift + (2.0 * steering.error + 64.0 * unit * (reach + centre))) * (1.0 + 1e-12);
+    }
+    [[nodiscard]] Blunt at(const HeadingForm& heading) const {
+        const double wide = heading.off.size();
+        return {heading.c, heading.s, (still + (shift + (1.0 + (0.5 + wide) * wide) * reach) * wide) * (1.0 + 1e-12),
+                (still + reach * wide) * (1.0 + 1e-12)};
+    }
+    [[nodiscard]] Blunt at(const Stage& stage) const { return {stage.c, stage.s, still, still}; }
 };
 
 /// The heading at which the condition begins to hold (or ends), for all cars of the box; false unless they all have one
@@ -774,21 +841,34 @@ struct Space {
     explicit Space(std::size_t most) : first(most), last(most), spells(most), at(most) {}
 };
 
+struct MoveBounds {
+    Bluntly all;
+    Blunt start, until;
+    double within;
+};
+
 class Sweep {
 public:
     Sweep(const Obstacle& obstacle, Met met, const State& state, const HeadingForm& until, bool until_contact,
-          Space& space, const Failure* passes = nullptr)
+          Space& space, const MoveBounds& bluntly, const Failure* passes = nullptr)
         : obstacle_(obstacle),
           met_(met),
           state_(state),
           until_(until),
           until_contact_(until_contact),
           space_(space),
-          passes_(passes) {}
+          bluntly_(bluntly),
+          passes_(passes),
+          until_wide_(until.off.size()),
+          until_noise_(until.off.noise()),
+          until_least_(until.angle + until.off.mid - until.off.span() * (1.0 + 1e-12) - 3.0 * angle_error) {}
 
     [[nodiscard]] bool doubtful() const { return doubtful_; }
 
-    [[nodiscard]] Meeting meets() const {
+    void meets(Meeting& met) const {
+        met.what = Meeting::never;
+        met.touched.count = 0;
+        met.touched.exact = false;
         const HeadingForm& start = state_.start;
         const double within = start.off.size() + 2.0 * angle_error;
         std::size_t stage = 0;
@@ -799,12 +879,9 @@ public:
         const bool steepest = state_.first && begin > quarter_turn - 1e-15;
         const bool before_too = start.angle + within >= begin && !steepest;
         const bool after_too = start.angle - within <= end_of(stage, turns);
-        if (!before_too && !after_too) {
-            Meeting met;
-            if (plainly(stage, turns, met)) return met;
-        }
-        Meeting met = from_stage(stage, turns);
-        if (met.what == Meeting::undecided) return met;
+        if (!before_too && !after_too && plainly(stage, turns, met)) return;
+        met = from_stage(stage, turns);
+        if (met.what == Meeting::undecided) return;
         if (before_too) {
             const bool wraps = stage == 0;
             const std::size_t before = wraps ? obstacle_.stages.size() - 1 : stage - 1;
@@ -814,7 +891,6 @@ public:
             const bool wraps = obstacle_.next(stage) == 0;
             met = either(met, from_stage(obstacle_.next(stage), wraps ? turns + 2.0 * pi : turns));
         }
-        return met;
     }
 
 private:
@@ -868,7 +944,11 @@ private:
 
     /// The same as drive() in plain numbers, as long as they are clear enough; else false.
     [[nodiscard]] bool plainly(std::size_t stage, double turns, Meeting& met) const {
-        HeadingForm from = state_.start;
+        const HeadingForm* from = &state_.start;
+        double from_wide = from->off.size();
+        double from_noise = from->off.noise();
+        HeadingForm end;
+        Blunt blunt_from = bluntly_.start;
         int known = -1;
         if (state_.first) {
             if (met_ == front) known = obstacle_.stages[stage].entry_condition;
@@ -879,18 +959,35 @@ private:
         }
         for (;;) {
             const Stage& here = obstacle_.stages[stage];
-            HeadingForm to = end_heading(stage, turns);
-            const bool last = difference(until_, to).positive();
-            if (last) to = until_;
+            const std::size_t next = obstacle_.next(stage);
+            const double end_angle = end_of(stage, turns);
+            const bool last = until_least_ > end_angle;
+            HeadingForm next_end;
+            const HeadingForm* to = &until_;
+            double to_wide = until_wide_, to_noise = until_noise_;
+            if (!last) {
+                next_end.c = obstacle_.stages[next].c;
+                next_end.s = obstacle_.stages[next].s;
+                next_end.angle = end_angle;
+                to = &next_end;
+                to_wide = to_noise = 0.0;
+            }
             int failing = -1;
             if (possible(here, turns)) {
-                failing = plainly_fails(here, from, to, known);
-                if (failing < 0) return plainly_begins(here, stage, from, to, met);
+                failing = bluntly_fails(here, blunt_from,
+                                        last ? bluntly_.until : bluntly_.all.at(obstacle_.stages[next]), known);
+                if (failing < 0)
+                    failing = plainly_fails(here, *from, from_wide, from_noise, *to, to_wide, to_noise, known);
+                if (failing < 0) return plainly_begins(here, stage, *from, *to, met);
             }
             if (last) return true;
-            const std::size_t next = obstacle_.next(stage);
             known = failing >= 0 ? same_in(here, obstacle_.stages[next], failing) : -1;
-            from = to;
+            end.c = next_end.c;
+            end.s = next_end.s;
+            end.angle = next_end.angle;
+            from = &end;
+            from_wide = from_noise = 0.0;
+            blunt_from = bluntly_.all.at(obstacle_.stages[next]);
             if (next == 0) turns += 2.0 * pi;
             stage = next;
         }
@@ -963,18 +1060,50 @@ private:
     }
 
     /// A condition of the stage that fails all the time, told in plain numbers; -1 if there is none.
-    [[nodiscard]] int plainly_fails(const Stage& stage, const HeadingForm& from, const HeadingForm& to,
-                                    int known) const {
-        for (std::size_t i = stage.first; i < stage.last; ++i) {
-            const Condition& condition = obstacle_.conditions[i];
+    [[nodiscard]] int bluntly_fails(const Stage& stage, const Blunt& from, const Blunt& to, int known) const {
+        const int count = static_cast<int>(stage.last - stage.first);
+        const int likely = stage.likely;
+        const Condition* const conditions = obstacle_.conditions.data() + stage.first;
+        for (int k = -1; k < count; ++k) {
+            if (k == likely) continue;
+            const int index = k < 0 ? likely : k;
+            const Condition& condition = conditions[index];
             const Crossing crossing(condition, state_);
-            const int index = static_cast<int>(i - stage.first);
-            const Rough first(condition, crossing, state_, from);
+            if (condition.kind != Condition::inside &&
+                -(condition.radius + crossing.constant) > bluntly_.all.still) {  // all around
+                stage.likely = index;
+                return index;
+            }
+            const bool falls = crossing.b * from.c - crossing.a * from.s > from.pace_error;
+            if (!(-crossing.at(from.c, from.s) > from.value_error) && !(index == known && falls)) continue;
+            const double pace = crossing.b * to.c - crossing.a * to.s;
+            if ((falls && pace > to.pace_error) ||
+                (-crossing.at(to.c, to.s) > to.value_error && (falls || -pace > to.pace_error))) {
+                stage.likely = index;
+                return index;
+            }
+        }
+        return -1;
+    }
+
+    [[nodiscard]] int plainly_fails(const Stage& stage, const HeadingForm& from, double from_wide, double from_noise,
+                                    const HeadingForm& to, double to_wide, double to_noise, int known) const {
+        const int count = static_cast<int>(stage.last - stage.first);
+        const int likely = stage.likely;
+        for (int k = -1; k < count; ++k) {
+            if (k == likely) continue;
+            const int index = k < 0 ? likely : k;
+            const Condition& condition = obstacle_.conditions[stage.first + static_cast<std::size_t>(index)];
+            const Crossing crossing(condition, state_);
+            const Rough first(condition, crossing, state_, from, from_wide, from_noise);
             const bool falls = first.falls();
             if (!first.fails() && !(index == known && falls)) continue;
-            const Rough last(condition, crossing, state_, to);
+            const Rough last(condition, crossing, state_, to, to_wide, to_noise);
             // All the way, or with no greatest value in between.
-            if ((falls && last.falls()) || (last.fails() && (falls || last.rises()))) return index;
+            if ((falls && last.falls()) || (last.fails() && (falls || last.rises()))) {
+                stage.likely = index;
+                return index;
+            }
         }
         return -1;
     }
@@ -1172,7 +1301,10 @@ private:
     const HeadingForm& until_;
     bool until_contact_;
     Space& space_;
-    const Failure* passes_;          ///< a graze that is taken to pass
+    const MoveBounds& bluntly_;
+    const Failure* passes_;  ///< a graze that is taken to pass
+    double until_wide_, until_noise_;
+    double until_least_;             ///< the heading of all of them is greater
     mutable bool doubtful_ = false;  ///< nothing overlaps at the entry position, if that is one
 };
 
@@ -1198,6 +1330,7 @@ public:
           progress_(progress),
           most_moves_(most_moves),
           likely_(static_cast<std::size_t>(max_changes) + 1, curb),
+          trail_(static_cast<std::size_t>(max_changes) + 2),
           space_(std::max({problem.body.size(), problem.at_curb.size(), problem.frame.size()}) + 4) {}
 
     ProvedRanges run() {
@@ -1233,10 +1366,6 @@ public:
     }
 
 private:
-    struct Box {
-        double min, max;
-    };
-
     /// The steepest heading (downwards) at which the frame is below the entry side and what meets the curb above it;
     /// none below a quarter turn.
     static double steepest_fit(const ProofProblem& problem) {
@@ -1273,10 +1402,10 @@ private:
             for (int i = 1; i < first_boxes; ++i) cuts.push_back(end * i / first_boxes);
         }
         cuts.push_back(std::nextafter(end, 2.0));
-        for (std::size_t i = cuts.size() - 1; i-- > 0;) boxes.push_back({cuts[i], cuts[i + 1]});
+        for (std::size_t i = cuts.size() - 1; i-- > 0;) boxes.emplace_back(cuts[i], cuts[i + 1]);
         std::size_t next_report = 100'000;
         while (!boxes.empty()) {
-            const Box box = boxes.back();
+            Box box = boxes.back();
             boxes.pop_back();
             if (progress_ && found_.moves >= next_report) {
                 next_report = found_.moves + 100'000;
@@ -1297,7 +1426,7 @@ private:
                     if (box.max - box.min <= narrowest || hopeless(box, outcome.failure.quantity)) {
                         note_undecided(box, outcome.move);
                     } else {
-                        cut(boxes, box, outcome.failure);
+                        cut(boxes, box, outcome);
                     }
                     break;
             }
@@ -1306,7 +1435,9 @@ private:
 
     /// Narrow, and what could not be told depends on rounding more than on the heading: no cut would help.
     static bool hopeless(const Box& box, const Form& quantity) {
-        return box.max - box.min < 4e-12 && std::abs(quantity.along) < 0.1 * quantity.noise();
+        const double noise = quantity.noise();
+        return (box.max - box.min < 4e-12 && std::abs(quantity.along) < 2.0 * noise) ||
+               (std::abs(quantity.along) < 0.1 * noise && std::abs(quantity.mid) < noise && noise < 1e-12);
     }
 
     void note_range(const Box& box, int changes) {
@@ -1328,9 +1459,10 @@ private:
         }
     }
 
-    static void cut(std::vector<Box>& boxes, const Box& box, const Failure& failure) {
-        const double half = 0.5 * (box.max - box.min);
-        const double middle = box.min + half;
+    void cut(std::vector<Box>& boxes, const Box& box, const Outcome& outcome) const {
+        const Failure& failure = outcome.failure;
+        const double half = box.half;
+        const double middle = box.middle;
         const Form& q = failure.quantity;
         if (failure.kind == Failure::at_root && q.along != 0.0 && q.noise() < infinity) {
             const double root = -q.mid / q.along;
@@ -1339,13 +1471,13 @@ private:
                 const double at = std::clamp(root, -1.0, 1.0);
                 const double a = middle + half * (at - wide);
                 const double b = middle + half * (at + wide);
-                if (b < box.max) boxes.push_back({b, box.max});
-                boxes.push_back({std::max(a, box.min), std::min(b, box.max)});
-                if (a > box.min) boxes.push_back({box.min, a});
+                if (b < box.max) add(boxes, box, b, box.max, outcome.move);
+                add(boxes, box, std::max(a, box.min), std::min(b, box.max), outcome.move);
+                if (a > box.min) add(boxes, box, box.min, a, outcome.move);
                 return;
             }
         }
-        double at = middle;
+        double at = 0.5 * (box.min + box.max);
         if (failure.kind == Failure::beside_graze) {
             const double left = q.mid - q.along;
             const double right = q.mid + q.along;
@@ -1354,16 +1486,53 @@ private:
                 at = middle + half * (between - q.mid) / q.along;
             }
         }
-        if (!(at > box.min && at < box.max)) at = middle;
-        boxes.push_back({at, box.max});
-        boxes.push_back({box.min, at});
+        if (!(at > box.min && at < box.max)) at = 0.5 * (box.min + box.max);
+        add(boxes, box, at, box.max, outcome.move);
+        add(boxes, box, box.min, at, outcome.move);
+    }
+
+    /// A part of a box. It need not be driven again up to where the whole was hardly more than straight lines, even for
+    /// this part.
+    void add(std::vector<Box>& boxes, const Box& whole, double min, double max, int failed) const {
+        Box& part = boxes.emplace_back(min, max);
+        if (whole.doubtful) return;
+        const double ratio = part.half / whole.half;
+        for (int n = failed; n > 0 && n >= whole.driven; --n) {
+            const State& state = trail_[static_cast<std::size_t>(n)];
+            if (!straight(state, ratio)) continue;
+            part.driven = n;
+            part.state = state;
+            const double shift = (part.middle - whole.middle) / whole.half;
+            part.state.x = restricted(state.x, shift, ratio);
+            part.state.y = restricted(state.y, shift, ratio);
+            part.state.start.off = restricted(state.start.off, shift, ratio);
+            part.state.x_noise = part.state.x.noise();
+            part.state.y_noise = part.state.y.noise();
+            return;
+        }
+    }
+
+    [[nodiscard]] bool straight(const State& state, double ratio) const {
+        const double noise = state.x_noise + state.y_noise + problem_.radius * state.start.off.noise();
+        const double along =
+            std::abs(state.x.along) + std::abs(state.y.along) + problem_.radius * std::abs(state.start.off.along);
+        return noise < 0.02 * ratio * along;
+    }
+
+    /// Over the t that are shift + ratio * (another), both known but for three roundings.
+    static Form restricted(const Form& whole, double shift, double ratio) {
+        Form part = whole;
+        part.mid += whole.along * shift;
+        part.along *= ratio;
+        return part.with_rest(unit * (std::abs(part.mid) + 8.0 * std::abs(whole.along) * (std::abs(shift) + ratio)) +
+                              underflow);
     }
 
     /// Centre and heading at the entry position of all headings in the box.
     [[nodiscard]] State enter(const Box& box) const {
         State state;
-        const double middle = 0.5 * (box.min + box.max);
-        const double half = std::max(box.max - middle, middle - box.min) * upward + 1e-300;
+        const double middle = box.middle;
+        const double half = box.half;
         const auto [s, c] = angles::sine_cosine(middle);
         state.start.c = c;
         state.start.s = s;
@@ -1448,21 +1617,25 @@ private:
         state.first = false;
     }
 
-    Outcome look(const Box& box) {
+    Outcome look(Box& box) {
         ++found_.boxes;
         forks_ = 0;
         doubtful_ = false;
-        return follow(enter(box), 0);
+        trail_[static_cast<std::size_t>(box.driven)] = box.driven == 0 ? enter(box) : box.state;
+        const Outcome outcome = follow(box.driven);
+        box.doubtful = doubtful_;
+        return outcome;
     }
 
-    Outcome follow(State state, int n) {
+    Outcome follow(int n) {
         for (; n <= limit_; ++n) {
+            const std::size_t at = static_cast<std::size_t>(n);
             Outcome outcome;
             outcome.move = n;
-            switch (drive(state, outcome, nullptr, false)) {
+            switch (drive(trail_[at], trail_[at + 1], outcome, nullptr, false)) {
                 case moved: break;
                 case ended: return outcome;
-                case grazed: return both_ways(state, outcome);
+                case grazed: return both_ways(outcome);
             }
         }
         return {Outcome::none, limit_, {}};
@@ -1470,17 +1643,17 @@ private:
 
     /// Where it cannot be told whether the lowest corner grazes the curb: first as if it passed, then as if it met it. If
     /// both come to the same, it does not matter.
-    Outcome both_ways(const State& state, const Outcome& fork) {
+    Outcome both_ways(const Outcome& fork) {
         if (++forks_ > most_forks) return fork;
         Outcome common;
+        const std::size_t at = static_cast<std::size_t>(fork.move);
         for (const bool meets : {false, true}) {
             if (!meets && fork.failure.surely) continue;
-            State way = state;
             Outcome outcome;
             outcome.move = fork.move;
-            const After after = drive(way, outcome, &fork.failure, meets);
+            const After after = drive(trail_[at], trail_[at + 1], outcome, &fork.failure, meets);
             if (after == grazed) return fork;
-            if (after == moved) outcome = follow(way, fork.move + 1);
+            if (after == moved) outcome = follow(fork.move + 1);
             if (outcome.what == Outcome::undecided) return fork;
             if (!meets || fork.failure.surely) {
                 common = outcome;
@@ -1494,7 +1667,7 @@ private:
     enum After { moved, ended, grazed };
 
     /// One move. `graze`: one that is taken to meet the curb, or to pass.
-    After drive(State& state, Outcome& outcome, const Failure* graze, bool meets) {
+    After drive(const State& state, State& then, Outcome& outcome, const Failure* graze, bool meets) {
         ++found_.moves;
         const Steering& steering = state.backward ? backward_ : forward_;
         // What the box before met in this move is asked first.
@@ -1503,22 +1676,27 @@ private:
         HeadingForm until = state.start;
         until.angle -= 2.0 * pi;
         bool contact = false;
-        std::array<Touched, 3> touched;
+        std::array<Touched, 3>& touched = then.touched;
+        for (Touched& one : touched) one.count = 0, one.exact = false;
         // What cannot be told is asked again once it is known where the others stop the car: it may lie beyond.
         std::array<Met, 5> order = {asked_first, static_cast<Met>((asked_first + 1) % 3),
                                     static_cast<Met>((asked_first + 2) % 3)};
         std::size_t asked = 3;
+        Meeting& meeting = meeting_;
+        const Bluntly all(steering, state);
+        MoveBounds bounds = {all, all.at(state.start), all.at(until), 0.0};
         for (std::size_t i = 0; i < asked; ++i) {
             const Met met = order[i];
-            Meeting meeting;
             if (graze != nullptr && meets && met == curb) {
                 meeting.what = Meeting::contact;
                 meeting.at = graze->at;
+                meeting.touched = {};
                 meeting.touched.add(graze->stage, 0);
                 meeting.touched.exact = true;
             } else {
-                const Sweep sweep(steering.of[met], met, state, until, contact, space_, met == curb ? graze : nullptr);
-                meeting = sweep.meets();
+                const Sweep sweep(steering.of[met], met, state, until, contact, space_, bounds,
+                                  met == curb ? graze : nullptr);
+                sweep.meets(meeting);
                 doubtful_ = doubtful_ || sweep.doubtful();
             }
             if (meeting.what == Meeting::never) continue;
@@ -1535,6 +1713,7 @@ private:
             if (!contact) {
                 contact = true;
                 until = meeting.at;
+                bounds.until = all.at(until);
                 touched[met] = meeting.touched;
                 likely = met;
                 continue;
@@ -1543,18 +1722,21 @@ private:
             const Form apart = until.off - other;
             if (apart.positive()) continue;
             if (apart.negative()) {
-                touched = {};
+                for (Touched& one : touched) one.count = 0, one.exact = false;
                 touched[met] = meeting.touched;
                 until = meeting.at;
+                bounds.until = all.at(until);
                 likely = met;
             } else {
                 until.off = larger(until.off, other);
+                bounds.until = all.at(until);
                 for (Touched& one : touched) one.exact = false;
                 touched[met] = meeting.touched;
                 touched[met].exact = false;
             }
         }
-        const Meeting parked = Sweep(steering.of[goal], goal, state, until, false, space_).meets();
+        Meeting& parked = meeting;
+        Sweep(steering.of[goal], goal, state, until, false, space_, bounds).meets(parked);
         if (parked.what == Meeting::undecided) {
             outcome.what = Outcome::undecided;
             outcome.failure = parked.failure;
@@ -1576,8 +1758,10 @@ private:
         }
         if (!contact) return ended;                                                                   // circles freely
         if ((until.off + (until.angle + steepest_)).with_rest(angle_error).negative()) return ended;  // turned away
-        turn_over(state, until, steering.across);
-        state.touched = touched;
+        then.x = state.x;
+        then.y = state.y;
+        then.backward = state.backward;
+        turn_over(then, until, steering.across);
         return moved;
     }
 
@@ -1593,9 +1777,11 @@ private:
     std::size_t most_moves_;
     static constexpr int most_forks = 8;  ///< in a box
     int forks_ = 0;
-    std::vector<Met> likely_;  ///< what the last box met in each move
-    bool doubtful_ = false;    ///< the box may be no entry position
+    std::vector<Met> likely_;   ///< what the last box met in each move
+    bool doubtful_ = false;     ///< the box may be no entry position
+    std::vector<State> trail_;  ///< the box before each move
     Space space_;
+    Meeting meeting_;
     ProvedRanges found_;
 };
 
