@@ -348,10 +348,11 @@ struct State {
 /// A stretch of headings, and what is known of it when its first moves are driven.
 struct Box {
     double min = 0.0, max = 0.0;
-    double middle = 0.0, half = 0.0;  ///< its headings are middle + t * half with t in [-1, 1]
-    bool doubtful = false;            ///< it may be no entry position
-    int driven = 0;                   ///< so many moves
-    State state;                      ///< after them
+    double middle = 0.0, half = 0.0;                  ///< its headings are middle + t * half with t in [-1, 1]
+    bool doubtful = false;                            ///< it may be no entry position
+    int away_from = std::numeric_limits<int>::max();  ///< the move after which it may have turned away
+    int driven = 0;                                   ///< so many moves
+    State state;                                      ///< after them
 
     Box(double least, double most)
         : min(least),
@@ -1497,7 +1498,7 @@ private:
         Box& part = boxes.emplace_back(min, max);
         if (whole.doubtful) return;
         const double ratio = part.half / whole.half;
-        for (int n = failed; n > 0 && n >= whole.driven; --n) {
+        for (int n = std::min(failed, whole.away_from); n > 0 && n >= whole.driven; --n) {
             const State& state = trail_[static_cast<std::size_t>(n)];
             if (!straight(state, ratio)) continue;
             part.driven = n;
@@ -1621,9 +1622,11 @@ private:
         ++found_.boxes;
         forks_ = 0;
         doubtful_ = false;
+        away_from_ = std::numeric_limits<int>::max();
         trail_[static_cast<std::size_t>(box.driven)] = box.driven == 0 ? enter(box) : box.state;
         const Outcome outcome = follow(box.driven);
         box.doubtful = doubtful_;
+        box.away_from = away_from_;
         return outcome;
     }
 
@@ -1746,6 +1749,10 @@ private:
             const Form before = difference(parked.at, until);
             if (before.positive()) {
                 outcome.what = doubtful_ ? Outcome::undecided : Outcome::parks;
+                if (away_from_ < outcome.move) {
+                    outcome.what = Outcome::undecided;
+                    outcome.failure = at_root_of(short_of_away_);
+                }
                 return ended;
             }
             if (!before.negative()) {
@@ -1756,8 +1763,13 @@ private:
                 return ended;
             }
         }
-        if (!contact) return ended;                                                                   // circles freely
-        if ((until.off + (until.angle + steepest_)).with_rest(angle_error).negative()) return ended;  // turned away
+        if (!contact) return ended;  // circles freely
+        const Form short_of_away = (until.off + (until.angle + steepest_)).with_rest(angle_error);
+        if (short_of_away.negative()) return ended;
+        if (!short_of_away.positive() && steepest_ < infinity && away_from_ > outcome.move) {
+            away_from_ = outcome.move;
+            short_of_away_ = short_of_away;
+        }
         then.x = state.x;
         then.y = state.y;
         then.backward = state.backward;
@@ -1780,6 +1792,8 @@ private:
     std::vector<Met> likely_;   ///< what the last box met in each move
     bool doubtful_ = false;     ///< the box may be no entry position
     std::vector<State> trail_;  ///< the box before each move
+    int away_from_ = 0;         ///< the first move after which some of the box, not all, has turned away,
+    Form short_of_away_;        ///< and by how much it has not
     Space space_;
     Meeting meeting_;
     ProvedRanges found_;
