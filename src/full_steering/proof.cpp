@@ -1313,6 +1313,7 @@ private:
 struct Outcome {
     enum What : unsigned char { none, parks, undecided } what = none;
     int move = 0;
+    bool goes_on = false;  ///< none in the moves asked for, and more could follow
     Failure failure;
 };
 
@@ -1335,30 +1336,32 @@ public:
           space_(std::max({problem.body.size(), problem.at_curb.size(), problem.frame.size()}) + 4) {}
 
     ProvedRanges run() {
+        divide();
         if (find_ == Find::all) {
             limit_ = asked_;
             search();
         } else {
-            // Few moves first: no box is driven far for nothing.
+            // Few moves first: no box is driven far for nothing. Then only what could still park goes on.
             int allowed = hints_.changes >= 0 ? std::min(hints_.changes, asked_) : std::min(2, asked_);
-            bool complete = false;
-            for (;;) {
+            for (bool first = true;; first = false) {
                 const int before = limit_;
                 const std::vector<Sliver> left = found_.undecided;
                 limit_ = allowed;
-                found_.ranges.clear();
-                found_.undecided.clear();
+                if (!first) {
+                    boxes_.swap(later_);
+                    std::reverse(boxes_.begin(), boxes_.end());
+                    later_.clear();
+                }
                 search();
-                if (found_.moves > most_moves_ && found_.ranges.empty() && complete) {  // what was proved before stays
+                const bool complete = found_.moves <= most_moves_;
+                if (!complete && !first && found_.ranges.empty()) {  // what was proved before stays
                     limit_ = before;
                     found_.undecided = left;
-                    break;
                 }
-                complete = found_.moves <= most_moves_;
-                if (!complete) break;
-                if (!found_.ranges.empty() || allowed == asked_ || found_.cancelled) break;
+                if (!complete || !found_.ranges.empty() || allowed == asked_ || found_.cancelled) break;
                 allowed = std::min(asked_, 2 * allowed + 2);
             }
+            put_in_order(found_.undecided);
             std::erase_if(found_.ranges, [this](const CountedHeadings& range) { return range.changes > limit_; });
         }
         std::erase_if(found_.undecided, [this](const Sliver& sliver) { return sliver.from_changes > limit_; });
@@ -1391,8 +1394,8 @@ private:
         return std::max(steepest, 0.0) + 1e-9;
     }
 
-    void search() {
-        std::vector<Box> boxes;
+    /// All headings there are, in a first few boxes.
+    void divide() {
         const double end = quarter_turn;
         std::vector<double> cuts = {0.0};
         for (const double cut : hints_.headings) {
@@ -1403,7 +1406,11 @@ private:
             for (int i = 1; i < first_boxes; ++i) cuts.push_back(end * i / first_boxes);
         }
         cuts.push_back(std::nextafter(end, 2.0));
-        for (std::size_t i = cuts.size() - 1; i-- > 0;) boxes.emplace_back(cuts[i], cuts[i + 1]);
+        for (std::size_t i = cuts.size() - 1; i-- > 0;) boxes_.emplace_back(cuts[i], cuts[i + 1]);
+    }
+
+    void search() {
+        std::vector<Box>& boxes = boxes_;
         std::size_t next_report = 100'000;
         while (!boxes.empty()) {
             Box box = boxes.back();
@@ -1418,7 +1425,9 @@ private:
             }
             const Outcome outcome = look(box);
             switch (outcome.what) {
-                case Outcome::none: break;
+                case Outcome::none:
+                    if (outcome.goes_on && limit_ < asked_ && find_ != Find::all) keep(box);
+                    break;
                 case Outcome::parks:
                     if (find_ != Find::all) limit_ = std::min(limit_, outcome.move);
                     note_range(box, outcome.move);
@@ -1432,6 +1441,32 @@ private:
                     break;
             }
         }
+    }
+
+    /// For when more moves are allowed.
+    void keep(const Box& box) {
+        Box& kept = later_.emplace_back(box);
+        if (kept.doubtful || kept.away_from < std::numeric_limits<int>::max()) {
+            kept.driven = 0;
+        } else if (forks_ == 0) {
+            kept.driven = limit_ + 1;
+            kept.state = trail_[static_cast<std::size_t>(kept.driven)];
+        }
+    }
+
+    /// In rising order, those that touch as one.
+    static void put_in_order(std::vector<Sliver>& slivers) {
+        std::sort(slivers.begin(), slivers.end(), [](const Sliver& a, const Sliver& b) { return a.min < b.min; });
+        std::vector<Sliver> whole;
+        for (const Sliver& sliver : slivers) {
+            if (!whole.empty() && whole.back().max == sliver.min) {
+                whole.back().max = sliver.max;
+                whole.back().from_changes = std::min(whole.back().from_changes, sliver.from_changes);
+            } else {
+                whole.push_back(sliver);
+            }
+        }
+        slivers = whole;
     }
 
     /// Narrow, and what could not be told depends on rounding more than on the heading: no cut would help.
@@ -1641,7 +1676,7 @@ private:
                 case grazed: return both_ways(outcome);
             }
         }
-        return {Outcome::none, limit_, {}};
+        return {Outcome::none, limit_, true, {}};
     }
 
     /// Where it cannot be told whether the lowest corner grazes the curb: first as if it passed, then as if it met it. If
@@ -1791,6 +1826,8 @@ private:
     int forks_ = 0;
     std::vector<Met> likely_;   ///< what the last box met in each move
     bool doubtful_ = false;     ///< the box may be no entry position
+    std::vector<Box> boxes_;    ///< to be looked at, the lowest headings last
+    std::vector<Box> later_;    ///< none of their headings parks yet
     std::vector<State> trail_;  ///< the box before each move
     int away_from_ = 0;         ///< the first move after which some of the box, not all, has turned away,
     Form short_of_away_;        ///< and by how much it has not
