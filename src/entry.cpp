@@ -7,7 +7,7 @@
 
 #include "contact/entering.hpp"
 #include "full_steering/heading_ranges.hpp"
-#include "full_steering/proof.hpp"
+#include "full_steering/proof/proof.hpp"
 #include "sentences/check.hpp"
 #include "snug/limits.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "full_steering/proof.hpp"
+#include "full_steering/proof/proof.hpp"
 #include "oracle/random_cases.hpp"
 #include "oracle/random_outlines.hpp"
 

@@ -1,5 +1,5 @@
 // The proof of entry ranges, attacked.
-#include "full_steering/proof.hpp"
+#include "full_steering/proof/proof.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,9 +13,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-namespace snug::detail {
+namespace snug::detail::proof {
 
+inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double quarter_turn = 1.57079632679489661923;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double unit = 1.12e-16;       ///< more than what rounding does to a result, relatively
 inline constexpr double upward = 1.0 + 1e-15;  ///< more than what eight roundings do
 inline constexpr double underflow = 1e-300;    ///< more than what is lost where a product underflows
@@ -131,4 +135,4 @@ struct Gap {
     }
 };
 
-}  // namespace snug::detail
+}  // namespace snug::detail::proof
