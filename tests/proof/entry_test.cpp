@@ -9,7 +9,6 @@ namespace {
 Answer proved(const CarDimensions& car, double length, double width, std::optional<int> most = {},
               double clearance = 0.0) {
     EntryOptions options;
-    options.prove = true;
     options.max_changes = most;
     options.driving.clearance = clearance;
     return entry(Car(car, ""), Slot({.length = length, .width = width}), options);
