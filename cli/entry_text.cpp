@@ -215,10 +215,11 @@ std::string proof(const EntryQuestion& question, const Answer& answer) {
     std::string text =
         "Not proved: whether " + std::string(answer.parkable() ? "another" : "an") + " entry heading parks with ";
     text += first_open < last_open ? std::to_string(first_open) + " to " + changes(last_open) : changes(last_open);
-    text += open.empty() ? " is not known.\n" : "\nis not known of " + open + "\n(--format json lists them).\n";
+    text += " is not known.\n";
     if (first_open > 0)
         text +=
             "Proved: none parks with " + std::string(first_open == 1 ? "" : "up to ") + changes(first_open - 1) + ".\n";
+    if (!open.empty()) text += "Nothing is claimed of " + open + "\n(--format json lists them).\n";
     return text;
 }
 
