@@ -8,6 +8,7 @@
 #include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/trajectory.hpp"
 #include "cli/waypoints.hpp"
 #include "io/csv.hpp"
 #include "sentences/check.hpp"
@@ -79,6 +80,7 @@ struct Asked {
                                     "What to draw: maneuver (default), or entries: all\nentry positions.",
                                     {{"maneuver", View::maneuver}, {"entries", View::entries}})),
           waypoints(options),
+          trajectory(options),
           threads(threads_option(options)) {}
 
     CarOptions car;
@@ -97,6 +99,7 @@ struct Asked {
     Option<std::string> draw;
     Option<View> view;
     WaypointsOptions waypoints;
+    TrajectoryOptions trajectory;
     Option<int> threads;  ///< accepted for all commands alike: one heading after the other is fast enough
 };
 
@@ -157,6 +160,7 @@ std::string written(Format format, const EntryQuestion& question, const Answer& 
 struct Files {
     explicit Files(const Asked& asked)
         : route(waypoints_file(asked.waypoints, asked.draw, asked.output.file)),
+          timed(trajectory_file(asked.trajectory, asked.waypoints.file, asked.draw, asked.output.file)),
           picture(picture_file(asked.draw, asked.output)),
           view(asked.view.value_or(View::maneuver)),
           path(asked.output.path()) {
@@ -166,11 +170,13 @@ struct Files {
 
     void write(const EntryQuestion& question, const Answer& answer, const std::string& text) const {
         if (route) write_file("--waypoints", route->path, cli::written(*route, answer.maneuver));
+        if (timed) write_file("--trajectory", timed->path, cli::written(*timed, question.car, answer.maneuver));
         if (picture && !answer.cancelled) write_file("--draw", picture->path, drawn(*picture, view, question, answer));
         put_out(path, text);
     }
 
     std::optional<WaypointsFile> route;
+    std::optional<TrajectoryFile> timed;
     std::optional<PictureFile> picture;
     View view;
     std::string path;

@@ -154,7 +154,7 @@ std::string moves(const EntryQuestion& question, const Maneuver& maneuver, const
 std::string result(const EntryQuestion& question, const Maneuver& maneuver) {
     const Gaps left = gaps(question.car, question.slot, maneuver.goal());
     return "\nHow it ends\n" +
-           table({{"driven", metres(maneuver.length()) + " in all"},
+           table({{"driven", driven(maneuver)},
                   {"swing-out", metres(swept(maneuver, question.slot).y_max) + " into the road at most"},
                   {"gaps", metres(left.front) + " to the front neighbour, " + metres(left.rear) + " to the rear one,"},
                   {"", metres(left.curb) + " to the curb, " + metres(-left.road) + " to the road"},

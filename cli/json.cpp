@@ -51,6 +51,8 @@ std::string atlas_json(const EntryQuestion& question, Strategy strategy, const A
 
 std::string waypoints_json(const std::vector<Waypoint>& waypoints) { return write(as_json(waypoints)); }
 
+std::string trajectory_json(const Trajectory& trajectory, double period) { return write(as_json(trajectory, period)); }
+
 std::string MinSlotJson::begin() {
     return list_.begin({{"schema", 1}, {"car", as_json(question_.car)}, {"strategy", strategy_name(question_)}},
                        "rows");

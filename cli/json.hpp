@@ -12,6 +12,7 @@
 #include "snug/io.hpp"
 #include "snug/leave.hpp"
 #include "snug/sweep.hpp"
+#include "snug/trajectory.hpp"
 #include "snug/waypoints.hpp"
 
 namespace snug::cli {
@@ -25,6 +26,7 @@ std::string park_json(const ParkQuestion& question, const ParkAnswer& answer);
 /// The answer of an atlas, with the stored cell that it comes from.
 std::string atlas_json(const EntryQuestion& question, Strategy strategy, const Answer& answer, const AtlasCell& cell);
 std::string waypoints_json(const std::vector<Waypoint>& waypoints);
+std::string trajectory_json(const Trajectory& trajectory, double period);
 
 /// Minimum slots, part by part, for there may be too many to hold.
 class MinSlotJson {

@@ -118,7 +118,7 @@ std::string moves(const ParkQuestion& question, const ParkAnswer& answer) {
 std::string result(const ParkQuestion& question, const ParkAnswer& answer) {
     const bool stays = answer.maneuver->moves.empty();
     const Pose goal = stays ? question.scene.start : answer.maneuver->goal();
-    Rows rows = {{"driven", metres(answer.maneuver->length()) + " in all"}};
+    Rows rows = {{"driven", driven(*answer.maneuver)}};
     for (std::vector<std::string>& row : distances(question, goal)) rows.push_back(std::move(row));
     rows.push_back({"angle", fixed(std::abs(off(goal.heading - parked_heading(question.scene.place))), 3) +
                                  (question.leaving ? " deg off the street's heading" : " deg off the parked heading")});

@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "cli/table.hpp"
+#include "sentences/check.hpp"
+#include "snug/trajectory.hpp"
 
 namespace snug::cli {
 
@@ -29,5 +31,11 @@ std::string steering(const Car& car, double angle) {
 }
 
 std::string metres(double length) { return fixed(length, 3) + " m"; }
+
+std::string driven(const Maneuver& maneuver) {
+    const MotionLimits usual;
+    return metres(maneuver.length()) + " in all, in " + fixed(trajectory(maneuver, usual).seconds(), 0) +
+           " s at up to " + spelled(usual.speed) + " m/s";
+}
 
 }  // namespace snug::cli

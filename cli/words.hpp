@@ -5,6 +5,7 @@
 
 #include "snug/car.hpp"
 #include "snug/entry.hpp"
+#include "snug/maneuver.hpp"
 
 namespace snug::cli {
 
@@ -22,5 +23,8 @@ std::string steering(const Car& car, double angle);
 
 /// "1.250 m"
 std::string metres(double length);
+
+/// "9.300 m in all, in 31 s at up to 1 m/s": the way and the time, with the usual limits of motion.
+std::string driven(const Maneuver& maneuver);
 
 }  // namespace snug::cli

@@ -78,6 +78,7 @@ Json as_json(const Maneuver& maneuver) {
     }
     return {{"direction_changes", maneuver.direction_changes()},
             {"length", maneuver.length()},
+            {"seconds", trajectory(maneuver).seconds()},
             {"swept", as_json(swept(maneuver))},
             {"entry", as_json(maneuver.entry())},
             {"goal", as_json(maneuver.goal())},

@@ -36,6 +36,7 @@ Json driven(const Maneuver& maneuver, const Pose& start, const std::vector<ParkS
     const bool stays = maneuver.moves.empty();
     return {{"direction_changes", stays ? 0 : maneuver.direction_changes()},
             {"length", maneuver.length()},
+            {"seconds", trajectory(maneuver).seconds()},
             {"start", as_json(start)},
             {"goal", as_json(stays ? start : maneuver.goal())},
             {"moves", std::move(moves)}};

@@ -37,6 +37,19 @@ struct WaypointFields {
     double curvature = 0.0;
     double distance = 0.0;
 };
+struct TrajectoryFields {
+    double time = 0.0;
+    double x = 0.0;
+    double y = 0.0;
+    double heading = 0.0;
+    std::int64_t direction = 0;
+    double speed = 0.0;
+    double acceleration = 0.0;
+    double steering_angle = 0.0;
+    double steering_rate = 0.0;
+    double curvature = 0.0;
+    double distance = 0.0;
+};
 
 using Shape = std::vector<py::ssize_t>;
 
@@ -249,12 +262,32 @@ py::object waypoints_of(const Arguments& given) {
     return shaped(all, {static_cast<py::ssize_t>(all.size())});
 }
 
+py::object trajectory_of(const Arguments& given) {
+    const auto maneuver = given.get<Maneuver>("maneuver");
+    double period = 0.05;
+    double steering_angle = 0.0;
+    MotionLimits limits;
+    given.read("period", period);
+    given.read("speed", limits.speed);
+    given.read("acceleration", limits.acceleration);
+    given.read("deceleration", limits.deceleration);
+    given.read("steering_rate", limits.steering_rate);
+    given.read("steering_angle", steering_angle);
+    std::vector<TrajectoryFields> all;
+    for (const TrajectoryPoint& at : sampled(trajectory(maneuver, limits, steering_angle), period))
+        all.push_back({at.time, at.pose.x, at.pose.y, at.pose.heading, static_cast<std::int64_t>(at.direction),
+                       at.speed, at.acceleration, at.steering_angle, at.steering_rate, at.curvature, at.distance});
+    return shaped(all, {static_cast<py::ssize_t>(all.size())});
+}
+
 }  // namespace
 
 void define_arrays(py::module_& module) {
     PYBIND11_NUMPY_DTYPE(EntryFields, direction_changes, entry_heading, heading_min, heading_max);
     PYBIND11_NUMPY_DTYPE(MinSlotFields, length, width, lower, entry_heading);
     PYBIND11_NUMPY_DTYPE(WaypointFields, x, y, heading, direction, curvature, distance);
+    PYBIND11_NUMPY_DTYPE(TrajectoryFields, time, x, y, heading, direction, speed, acceleration, steering_angle,
+                         steering_rate, curvature, distance);
 
     define(
         module, "waypoints(maneuver, spacing)",
@@ -262,6 +295,15 @@ void define_arrays(py::module_& module) {
         "heading, direction (1 forward, -1 backward), curvature [1/m], positive to the left, and distance driven [m].\n"
         "Where the direction changes there are two with one pose: the first ends a stretch, the second begins one.",
         waypoints_of);
+    define(
+        module,
+        "trajectory(maneuver, *, period=0.05, speed=1.0, acceleration=0.5, deceleration=0.5, steering_rate=0.5, "
+        "steering_angle=0.0)",
+        "A maneuver over time, as fast as the limits allow [m/s, m/s2, rad/s], the steering turning at standstill\n"
+        "only: a structured array with time [s], x, y, heading, direction (1 forward, -1 backward), speed (negative\n"
+        "backward), acceleration, steering_angle, steering_rate, curvature and distance, a row every `period` [s]\n"
+        "and one at the end. `steering_angle` is that of the wheels at the start.",
+        trajectory_of);
 
     const std::string meaning =
         "Runs on all cores, or on so many `threads`. `progress` is told the part done (0 to 1); when it returns "

@@ -12,6 +12,7 @@
 #include "snug/min_slot.hpp"
 #include "snug/park.hpp"
 #include "snug/scene.hpp"
+#include "snug/trajectory.hpp"
 #include "snug/waypoints.hpp"
 
 namespace snug {
@@ -70,6 +71,15 @@ Json as_json(const Scene& scene);
 Json as_json(const std::vector<Waypoint>& waypoints);
 /// `snug entry --waypoints FILE.csv`: a row for each, all numbers, the direction 1 forward and -1 backward.
 std::string as_csv(const std::vector<Waypoint>& waypoints);
+
+Json as_json(const MotionLimits& limits);
+/// `--trajectory FILE.json`: `schema`, `car`, `limits`, `seconds`, `standing_steers` and `trajectory`, a list of objects, one
+/// every `period` [s].
+Json as_json(const Trajectory& trajectory, double period);
+/// `--trajectory FILE.csv`: a row for each, all numbers, the direction 1 forward and -1 backward.
+std::string as_csv(const Trajectory& trajectory, double period);
+/// `--trajectory FILE.xosc`: an OpenSCENARIO 1.0 scenario in which the car follows the trajectory, a vertex every `period` [s].
+std::string as_openscenario(const Trajectory& trajectory, double period);
 
 /// JSON text: what fits on a line stays on one; ends with a newline.
 std::string write(const Json& json);

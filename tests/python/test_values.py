@@ -15,7 +15,7 @@ MANEUVER = ANSWER.maneuver
 MOVE = MANEUVER.moves[0]
 WEDGE = snug.Car(wheelbase=2.6, max_steer=0.6, outline=[(3.6, 0.5), (-0.8, 0.9), (-0.8, -0.9), (3.6, -0.5)], name="wedge")
 VALUES = [CAR, WEDGE, SLOT, snug.Slot(5, 2, front_setback=0.1, rear_setback=0.2, curb="low"), MANEUVER, MOVE, MOVE.contact, MOVE.start, snug.Point(1, 2), snug.MaxSteer(), snug.Stepping(step=0.01),
-          snug.ReversedTrials(goal=(1, 2, 0)), snug.ParallelTrials()]
+          snug.ReversedTrials(goal=(1, 2, 0)), snug.ParallelTrials(), snug.Street(5.2, 2.0, road=3.5, parked_curb=0.3)]
 
 
 @pytest.mark.parametrize("value", VALUES, ids=lambda value: type(value).__name__)
@@ -83,6 +83,18 @@ def test_waypoints_of_a_maneuver():
     assert abs(points["distance"][-1] - MANEUVER.length) < 1e-12
     assert (points["direction"][1:] != points["direction"][:-1]).sum() == MANEUVER.direction_changes
     assert abs(points["curvature"]).max() == pytest.approx(1 / CAR.turning_radius)
+
+
+def test_trajectory_of_a_maneuver():
+    points = snug.trajectory(MANEUVER, period=0.1, speed=0.8, steering_rate=0.4)
+    assert (points["x"][0], points["y"][0], points["heading"][0]) == tuple(MANEUVER.entry)
+    assert (points["x"][-1], points["y"][-1], points["heading"][-1]) == tuple(MANEUVER.goal)
+    assert points["time"][1] - points["time"][0] == pytest.approx(0.1)
+    assert abs(points["speed"]).max() <= 0.8 and abs(points["steering_rate"]).max() <= 0.4
+    assert (points["speed"][points["steering_rate"] != 0] == 0).all()
+    assert points["distance"][-1] == pytest.approx(MANEUVER.length)
+    with pytest.raises(snug.Error, match="greatest speed is 0"):
+        snug.trajectory(MANEUVER, speed=0)
 
 
 def test_slot_frames_and_poses_as_tuples():
@@ -180,7 +192,7 @@ def test_defaults_are_the_ones_that_help_shows():
         "min_slot": (CAR,), "min_slots": (CAR, [1]),
         "fewest": (CAR, snug.Slot(5.2, 2.0)), "parked_pose": (CAR, SLOT), "swept": (MANEUVER,),
         "leave": (CAR, snug.Slot(5.2, 2.0), snug.parked_pose(CAR, snug.Slot(5.2, 2.0), front=0.3, curb=0.05)),
-        "first_contact": (CAR, SLOT, MOVE.start, "backward", 0.3),
+        "first_contact": (CAR, SLOT, MOVE.start, "backward", 0.3), "park": (CAR, snug.Street(5.2, 2.0, road=3.5)),
     }
     for name, thing in public():
         if inspect.ismodule(thing) or inspect.isclass(thing):
