@@ -12,6 +12,7 @@
 #include "all_maneuvers/outer_sets.hpp"
 #include "all_maneuvers/park_search.hpp"
 #include "contact/place_contact.hpp"
+#include "in_world.hpp"
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
 #include "snug/limits.hpp"
@@ -37,25 +38,6 @@ void check(const ParkOptions& options) {
 
 std::string with_article(const Place& place, std::size_t obstacle) {
     return (place.obstacles()[obstacle].name.empty() ? "" : "the ") + place.name_of(obstacle);
-}
-
-/// A way in the chart, driven from where the car stands.
-Maneuver in_world(const Car& car, const Pose& start, const std::vector<detail::Path>& way) {
-    Maneuver maneuver{car, {}};
-    Pose at = start;
-    for (const detail::Path& piece : way) {
-        Move move;
-        move.direction = piece.way > 0.0 ? Direction::forward : Direction::backward;
-        // Full steering is the car's own angle, to the bit.
-        move.steering_angle = piece.curvature == 0.0 ? 0.0 : angles::atan(car.wheelbase() * piece.curvature);
-        if (std::abs(std::abs(piece.curvature) * car.turning_radius() - 1.0) < 1e-12)
-            move.steering_angle = piece.curvature > 0.0 ? car.max_steer() : -car.max_steer();
-        move.length = piece.length;
-        move.start = at;
-        move.end = at = drive(car, at, move.direction, move.steering_angle, move.length);
-        maneuver.moves.push_back(move);
-    }
-    return maneuver;
 }
 
 ParkStop nearest_at(const Car& car, const Place& place, const Pose& pose, double clearance) {
@@ -183,10 +165,10 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     answer.proved = bounds.meet() || bounds.lower > options.max_changes;
     answer.spacing = bounds.spacing;
     if (!bounds.upper) return answer;
-    Maneuver maneuver = in_world(car, start, bounds.way);
+    Maneuver maneuver = detail::in_world(car, start, bounds.way);
     answer.stops = stops_of(maneuver, place, options.clearance);
     answer.maneuver = std::move(maneuver);
-    for (const std::vector<detail::Path>& way : bounds.others) answer.alternatives.push_back(in_world(car, start, way));
+    for (const std::vector<detail::Path>& way : bounds.others) answer.alternatives.push_back(detail::in_world(car, start, way));
     return answer;
 }
 

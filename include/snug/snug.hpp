@@ -19,6 +19,7 @@
 #include "snug/min_slot.hpp"
 #include "snug/outline.hpp"
 #include "snug/park.hpp"
+#include "snug/park_map.hpp"
 #include "snug/place.hpp"
 #include "snug/slot.hpp"
 #include "snug/stepping.hpp"

@@ -11,13 +11,14 @@ namespace snug::detail::sets {
 namespace {
 
 constexpr double wary = 1e-7;  ///< so much is kept from the ends of intervals: sums are rounded [m]
-constexpr std::uint32_t not_measured = 0xFFFFFFFF;
 constexpr std::size_t most_intervals = 4;  ///< at a node; more are of no use
 
-/// Overlapping ones become one, of many the longest are kept.
-void tidy(std::vector<Interval>& intervals) {
+}  // namespace
+
+void tidy(std::vector<Interval>& intervals, std::size_t most) {
     if (intervals.size() < 2) return;
-    std::sort(intervals.begin(), intervals.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+    const auto lower = [](const Interval& a, const Interval& b) { return a.low < b.low; };
+    std::sort(intervals.begin(), intervals.end(), lower);
     std::size_t last = 0;
     for (std::size_t i = 1; i < intervals.size(); ++i) {
         if (intervals[i].low <= intervals[last].high) {
@@ -27,14 +28,46 @@ void tidy(std::vector<Interval>& intervals) {
         }
     }
     intervals.resize(last + 1);
-    if (intervals.size() > most_intervals) {
+    if (intervals.size() > most) {
         std::sort(intervals.begin(), intervals.end(),
                   [](const Interval& a, const Interval& b) { return a.high - a.low > b.high - b.low; });
-        intervals.resize(most_intervals);
+        intervals.resize(most);
+        std::sort(intervals.begin(), intervals.end(), lower);
     }
 }
 
-}  // namespace
+InnerSet::Few free_intervals(const std::vector<Band>& solids, double x, const Interval& within, double wary,
+                             std::vector<Interval>& taken, std::vector<Interval>& intervals) {
+    const auto [low, high] = within;
+    taken.clear();
+    for (const Band& solid : solids) {
+        if (x < solid.from || x > solid.to) continue;
+        double from_y = 0.0, to_y = 0.0;
+        solid.at(x, from_y, to_y);
+        if (from_y < to_y && to_y > low && from_y < high) taken.push_back({from_y, to_y});
+    }
+    return free_between(within, wary, taken, intervals);
+}
+
+InnerSet::Few free_between(const Interval& within, double wary, std::vector<Interval>& taken,
+                           std::vector<Interval>& intervals) {
+    InnerSet::Few few = {static_cast<std::uint32_t>(intervals.size()), 0};
+    const auto [low, high] = within;
+    if (low > high) return few;
+    std::sort(taken.begin(), taken.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+    const auto add = [&](double from_y, double to_y) {
+        if (from_y + wary > to_y - wary) return;
+        intervals.push_back({from_y + wary, to_y - wary});
+        ++few.count;
+    };
+    double begin = low;
+    for (const Interval& interval : taken) {
+        if (interval.low > begin) add(begin, interval.low);
+        begin = std::max(begin, interval.high);
+    }
+    if (begin < high) add(begin, high);
+    return few;
+}
 
 InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const Layer& cells, const Watching& watch)
     : h_(h),
@@ -108,25 +141,7 @@ InnerSet::Few InnerLattice::measured(int row, const Span& span, int cell) {
     low = std::max(low, cells_->low[outer] * micro);
     high = std::min(high, cells_->high[outer] * micro);
     if (low > high) return few;
-    taken_.clear();
-    for (const Band& solid : bands.solids) {
-        if (here < solid.from || here > solid.to) continue;
-        double from_y = 0.0, to_y = 0.0;
-        solid.at(here, from_y, to_y);
-        if (from_y < to_y && to_y > low && from_y < high) taken_.push_back({from_y, to_y});
-    }
-    std::sort(taken_.begin(), taken_.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
-    const auto add = [&](double from_y, double to_y) {
-        if (from_y + wary > to_y - wary) return;
-        free_.intervals.push_back({from_y + wary, to_y - wary});
-        ++few.count;
-    };
-    double begin = low;
-    for (const Interval& interval : taken_) {
-        if (interval.low > begin) add(begin, interval.low);
-        begin = std::max(begin, interval.high);
-    }
-    if (begin < high) add(begin, high);
+    few = free_intervals(bands.solids, here, {low, high}, wary, taken_, free_.intervals);
     return few;
 }
 
@@ -225,7 +240,7 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
                 }
             }
             if (clipped.empty()) continue;
-            tidy(clipped);
+            tidy(clipped, most_intervals);
             set.of[span.at(cell)] = {static_cast<std::uint32_t>(set.intervals.size()),
                                      static_cast<std::uint32_t>(clipped.size())};
             set.intervals.insert(set.intervals.end(), clipped.begin(), clipped.end());

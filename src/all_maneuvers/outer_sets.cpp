@@ -576,4 +576,25 @@ Limits OuterLattice::common(const Pairs& one, Direction direction, const Pairs& 
     return trimmed(all);
 }
 
+BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,
+                           bool from_start, const Watching& watch) {
+    const Limits& limits = lattice.free();
+    BothWays<Pairs> next;
+    for (const Direction direction : both_directions) {
+        const Pairs* before = direction == Direction::forward ? last_backward : last_forward;
+        Pairs pairs = before       ? lattice.turn(*before, limits, limits, direction)
+                      : from_start ? lattice.begin_at_start(limits, direction)
+                                   : lattice.begin(lattice.parked(), limits, direction);
+        lattice.sweep(pairs, limits, direction, watch);
+        next.of(direction).push_back(std::move(pairs));
+    }
+    return next;
+}
+
+bool same(const Pairs& one, const Pairs& two) {
+    for (std::size_t k = 0; k < one.layers.size(); ++k)
+        if (one.layers[k].z != two.layers[k].z || one.layers[k].w != two.layers[k].w) return false;
+    return true;
+}
+
 }  // namespace snug::detail::sets

@@ -77,6 +77,22 @@ struct Pairs {
     std::vector<Of> layers;
 };
 
+inline Direction other(Direction direction) {
+    return direction == Direction::forward ? Direction::backward : Direction::forward;
+}
+constexpr Direction both_directions[] = {Direction::forward, Direction::backward};
+
+/// Something of every move forward and every move backward.
+template <class Of>
+struct BothWays {
+    std::vector<Of> forward, backward;
+
+    std::vector<Of>& of(Direction direction) { return direction == Direction::forward ? forward : backward; }
+    const std::vector<Of>& of(Direction direction) const {
+        return direction == Direction::forward ? forward : backward;
+    }
+};
+
 /// Numbers of columns, by parity and cell.
 struct ColumnNumbers {
     int first_cell = 0;
@@ -123,6 +139,13 @@ public:
     /// The free intervals, clipped to what is left of the lattice twice as coarse.
     [[nodiscard]] Limits clipped(const Limits& coarser) const;
 
+    /// The cell a pose lies in, and what lies between the pair's bounds and y there.
+    struct Place {
+        int row, column;
+        double up, down;  ///< y <= z + up, y >= w + down
+    };
+    [[nodiscard]] Place place_of(const Pose& pose, Direction direction) const;
+
     /// Cells computed so far.
     mutable std::size_t updates = 0;
 
@@ -133,12 +156,6 @@ private:
         ColumnNumbers from_left, from_right;  ///< what z, or w, gains on the way from the column beside
         ColumnNumbers turn_z, turn_w;         ///< and at a change into this direction
     };
-    /// The cell a pose lies in, and what lies between the pair's bounds and y there.
-    struct Place {
-        int row, column;
-        double up, down;  ///< y <= z + up, y >= w + down
-    };
-    [[nodiscard]] Place place_of(const Pose& pose, Direction direction) const;
     void number_columns();
     void measure(const ChartPlace& place, const Layer* coarser, const Watching& watch);
     [[nodiscard]] const Numbers& numbers(Direction direction) const {
@@ -152,5 +169,10 @@ private:
     ColumnNumbers apart_;  ///< z - w is at least this
     Limits free_, parked_;
 };
+
+/// The moves with so many changes, one forward and one backward, from those with one less, if there are any. Nothing is clipped.
+BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,
+                           bool from_start, const Watching& watch);
+bool same(const Pairs& one, const Pairs& two);
 
 }  // namespace snug::detail::sets

@@ -15,45 +15,6 @@ namespace snug::detail::sets {
 
 namespace {
 
-Direction other(Direction direction) {
-    return direction == Direction::forward ? Direction::backward : Direction::forward;
-}
-
-bool same(const Pairs& one, const Pairs& two) {
-    for (std::size_t k = 0; k < one.layers.size(); ++k)
-        if (one.layers[k].z != two.layers[k].z || one.layers[k].w != two.layers[k].w) return false;
-    return true;
-}
-
-/// Something of every move forward and every move backward.
-template <class Of>
-struct BothWays {
-    std::vector<Of> forward, backward;
-
-    std::vector<Of>& of(Direction direction) { return direction == Direction::forward ? forward : backward; }
-    const std::vector<Of>& of(Direction direction) const {
-        return direction == Direction::forward ? forward : backward;
-    }
-};
-
-constexpr Direction both_directions[] = {Direction::forward, Direction::backward};
-
-/// The moves with so many changes, one forward and one backward, from those with one less, if there are any. Nothing is clipped.
-BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,
-                           bool from_start, const Watching& watch) {
-    const Limits& limits = lattice.free();
-    BothWays<Pairs> next;
-    for (const Direction direction : both_directions) {
-        const Pairs* before = direction == Direction::forward ? last_backward : last_forward;
-        Pairs pairs = before       ? lattice.turn(*before, limits, limits, direction)
-                      : from_start ? lattice.begin_at_start(limits, direction)
-                                   : lattice.begin(lattice.parked(), limits, direction);
-        lattice.sweep(pairs, limits, direction, watch);
-        next.of(direction).push_back(std::move(pairs));
-    }
-    return next;
-}
-
 /// With how many changes the sets around the parked poses reach the start: no maneuver has fewer.
 struct Counted {
     int changes = 0;          ///< more than `most` when they do not

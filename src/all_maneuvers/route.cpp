@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
+#include "all_maneuvers/steps.hpp"
 #include "model/angles.hpp"
 
 namespace snug::detail::sets {
@@ -13,63 +13,6 @@ namespace snug::detail::sets {
 namespace {
 
 constexpr double touch = 1e-9;  ///< deeper is contact [m]
-
-enum Steering : std::uint8_t { left, straight, right };
-
-struct At {
-    int row = 0, column = 0;
-    double y = 0.0;
-};
-
-constexpr double worth_a_step = 1e-4;  ///< of room [m]
-constexpr double enough_room = 0.05;   ///< to end a move [m]
-
-/// Steps from a node towards the parked poses. A step of full steering leads to the row beside, a straight one across a cell.
-struct Stepper {
-    const InnerLattice& lattice;
-    int way;  ///< of the rows: -1 where the car, leaving, drives forward
-
-    Stepper(const InnerLattice& on, Direction leaving) : lattice(on), way(leaving == Direction::forward ? -1 : 1) {}
-
-    [[nodiscard]] At from(const At& at, Steering steering) const {
-        const int d = at.column;
-        if (steering == straight) {
-            const double sine = lattice.sine(d);
-            return {at.row + 2 * way, d, at.y + way * lattice.h() * sine / std::sqrt((1.0 - sine) * (1.0 + sine))};
-        }
-        // To the left the car keeps y + r cos, to the right y - r cos. Driving back to the left the heading falls.
-        const int to = steering == left ? d + way : d - way;
-        const double gain =
-            steering == left ? lattice.level(d) - lattice.level(to) : lattice.level(to) - lattice.level(d);
-        return {at.row + way, to, at.y + gain};
-    }
-};
-
-/// Adds a piece of so many steps to the way; a piece of the same kind grows.
-void drive_on(const InnerLattice& lattice, std::vector<Path>& way, Pose& pose, int& column, Steering steering,
-              int steps, Direction direction) {
-    Path piece;
-    piece.start = pose;
-    piece.way = direction == Direction::forward ? 1.0 : -1.0;
-    const double sine = lattice.sine(column);
-    if (steering == straight) {
-        piece.length = steps * lattice.h() / std::sqrt((1.0 - sine) * (1.0 + sine));
-    } else {
-        const double sense = (steering == left ? 1.0 : -1.0) * piece.way;
-        const int to = column + static_cast<int>(sense) * steps;
-        piece.curvature = (steering == left ? 1.0 : -1.0) / lattice.radius();
-        piece.length = std::abs(angles::asin(lattice.sine(to)) - angles::asin(sine)) * lattice.radius();
-        column = to;
-    }
-    if (!(piece.length > 0.0)) return;
-    if (!way.empty() && way.back().way == piece.way && way.back().curvature == piece.curvature) {
-        way.back().length += piece.length;
-        pose = way.back().at(way.back().length);
-        return;
-    }
-    way.push_back(piece);
-    pose = piece.at(piece.length);
-}
 
 }  // namespace
 
@@ -107,46 +50,14 @@ std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& ch
             const double most = std::max({left_room, right_room, across_room});
             if (room_here >= 0.0 && (room_here > enough_room || most <= room_here + worth_a_step)) break;
             if (most < 0.0) return {};
-            int column = at.column;
             if (left_room >= right_room && left_room >= across_room) {
-                drive_on(lattice, way, pose, column, left, 1, direction);
+                add_step(lattice, way, pose, at.column, left, direction);
                 at = to_left;
             } else if (right_room >= across_room) {
-                drive_on(lattice, way, pose, column, right, 1, direction);
+                add_step(lattice, way, pose, at.column, right, direction);
                 at = to_right;
             } else {
-                // First to the left by a part of an arc, right by a whole one, and left again; y falls or rises with the part.
-                const double r = lattice.radius(), d = lattice.h() / (2.0 * r), s = lattice.sine(at.column);
-                const auto cosine = [](double sine) { return std::sqrt((1.0 - sine) * (1.0 + sine)); };
-                const double way_of = stepper.way;
-                const auto gain = [&](double part) {
-                    return 2.0 * r * (cosine(s + way_of * (part - 1.0) * d) - cosine(s + way_of * part * d));
-                };
-                // The gain rises or falls all the way from part 0 to part 1.
-                double from = 0.0, to = 1.0;
-                const double wanted = across.y - at.y;
-                const double sign = gain(1.0) > gain(0.0) ? 1.0 : -1.0;
-                for (int i = 0; i < 60; ++i) {
-                    const double middle = (from + to) / 2.0;
-                    (sign * (gain(middle) - wanted) < 0.0 ? from : to) = middle;
-                }
-                const double part = (from + to) / 2.0;
-                const double turn = direction == Direction::forward ? 1.0 : -1.0;
-                double here = s;
-                const auto arc = [&](double curvature, double to_sine) {
-                    Path piece;
-                    piece.start = pose;
-                    piece.way = turn;
-                    piece.curvature = curvature / r;
-                    piece.length = std::abs(angles::asin(to_sine) - angles::asin(here)) * r;
-                    here = to_sine;
-                    if (!(piece.length > 0.0)) return;
-                    way.push_back(piece);
-                    pose = piece.at(piece.length);
-                };
-                arc(1.0, s + turn * part * d);
-                arc(-1.0, s + turn * (part - 1.0) * d);
-                arc(1.0, s);
+                add_turn_off(lattice, way, pose, at.column, across.y - at.y, direction);
                 at = across;
             }
         }
@@ -192,22 +103,51 @@ bool is_out_of_reach(const std::vector<Point>& shape, const Path& piece, const s
 }  // namespace
 
 bool is_parked(const ChartPlace& place, const Pose& pose) {
-    const double sine = angles::sin(pose.heading);
+    const auto [sine, cosine] = angles::sine_cosine(pose.heading);
     if (sine < place.parked_from - touch || sine > place.parked_to + touch) return false;
-    const std::vector<Point> frame = placed(place.frame, pose);
     for (const ParkedLimit& limit : place.parked) {
         const Point& n = limit.within.normal;
         double least = std::numeric_limits<double>::infinity(), most = -least;
         if (limit.of == ParkedLimit::axle) {
             least = most = n.x * pose.x + n.y * pose.y;
         } else {
-            for (const Point& p : frame) {
-                least = std::min(least, n.x * p.x + n.y * p.y);
-                most = std::max(most, n.x * p.x + n.y * p.y);
+            for (const Point& p : place.frame) {
+                const double reach = n.x * (pose.x + p.x * cosine - p.y * sine) + n.y * (pose.y + p.x * sine + p.y * cosine);
+                least = std::min(least, reach);
+                most = std::max(most, reach);
             }
         }
         const double at = limit.of == ParkedLimit::nearest_point ? least : most;
         if (at > limit.within.offset + touch) return false;
+    }
+    return true;
+}
+
+bool is_clear(const ChartPlace& place, const Pose& pose) {
+    const auto [sine, cosine] = angles::sine_cosine(pose.heading);
+    for (const ChartPlace::Solid& solid : place.solids) {
+        // Apart, or nearly so, along the normal of an edge of one or the other.
+        const std::vector<Point>& shape = place.shapes[solid.stops];
+        bool apart = false;
+        const std::size_t corners = solid.corners.size();
+        for (std::size_t i = 0; i < corners && !apart; ++i) {
+            const Point &from = solid.corners[i], &to = solid.corners[(i + 1) % corners];
+            const Point n = {to.y - from.y, from.x - to.x};
+            const Point seen = {n.x * cosine + n.y * sine, n.y * cosine - n.x * sine};
+            const double level = n.x * (from.x - pose.x) + n.y * (from.y - pose.y) - touch * angles::hypot(n.x, n.y);
+            apart = std::all_of(shape.begin(), shape.end(),
+                                [&](const Point& p) { return seen.x * p.x + seen.y * p.y >= level; });
+        }
+        for (std::size_t i = 0; i < shape.size() && !apart; ++i) {
+            const Point &from = shape[i], &to = shape[(i + 1) % shape.size()];
+            const Point n = {to.y - from.y, from.x - to.x};
+            const Point seen = {n.x * cosine - n.y * sine, n.x * sine + n.y * cosine};
+            const double level = n.x * from.x + n.y * from.y - touch * angles::hypot(n.x, n.y);
+            apart = std::all_of(solid.corners.begin(), solid.corners.end(), [&](const Point& p) {
+                return seen.x * (p.x - pose.x) + seen.y * (p.y - pose.y) >= level;
+            });
+        }
+        if (!apart) return false;
     }
     return true;
 }

@@ -25,8 +25,10 @@ struct InnerChain {
 /// sets. It may meet something between the nodes.
 std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& chain, const ChartPlace& place);
 
-/// Whether the car is parked at a pose that is free.
+/// Whether the car is parked at a pose that is free. Nothing is allocated.
 bool is_parked(const ChartPlace& place, const Pose& pose);
+/// Whether the car meets nothing at a pose. Nothing is allocated.
+bool is_clear(const ChartPlace& place, const Pose& pose);
 /// Whether a piece meets nothing and stays in the region.
 bool is_free(const ChartPlace& place, const Path& piece);
 /// Whether nothing is met, the region is not left and the car is parked at the end.

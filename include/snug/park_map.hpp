@@ -1,0 +1,83 @@
+// ParkMap: from every pose in a place, with how few direction changes the car parks, and how: swept once, then looked up.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "snug/car.hpp"
+#include "snug/maneuver.hpp"
+#include "snug/place.hpp"
+
+namespace snug {
+
+struct ParkMapOptions {
+    /// Of the lattice [m]; half of it takes four times as long. 0: 8 cm, or a 32nd of the turning radius where that is less.
+    double spacing = 0.0;
+    double clearance = 0.0;  ///< grows the frame for contacts [m]
+    int max_changes = 50;    ///< counted up to, 0 to 1000
+    /// Of the cars that come along [rad]: the map covers headings within 80 degrees of the middle between this and the parked one.
+    /// Empty: the parked one; of a street: its own.
+    std::optional<double> heading = {};
+    /// Told from time to time; returning false gives up: the constructor throws Error.
+    std::function<bool()> progress = {};
+};
+
+/// What a map knows of a pose.
+struct MapBounds {
+    enum Where : std::uint8_t {
+        free,     ///< as below
+        blocked,  ///< the car meets an obstacle there
+        outside,  ///< of the region or the headings covered: nothing is known
+    };
+    Where where = outside;
+    /// No maneuver within region and headings has fewer direction changes; one more than the map counts up to when it takes more.
+    int lower_bound = 0;
+    bool impossible = false;  ///< no number of changes will do: proved
+    /// A maneuver has so many; empty where none is known.
+    std::optional<int> direction_changes;
+    /// How that begins; empty where the car is parked already.
+    std::optional<Direction> first;
+
+    [[nodiscard]] bool proved() const { return impossible || direction_changes == lower_bound; }
+    friend bool operator==(const MapBounds&, const MapBounds&) = default;
+};
+
+/// Of one car in one place. A look-up allocates nothing; copies share what was computed, and threads may share a map.
+class ParkMap {
+public:
+    /// Throws Error when an option is impossible, the place too large for the spacing, or progress says to give up.
+    ParkMap(const Car& car, const Place& place, const ParkMapOptions& options = {});
+    ParkMap(const Car& car, const Street& street, const ParkMapOptions& options = {});
+
+    [[nodiscard]] MapBounds at(const Pose& pose) const;
+    /// From there until parked, with as many changes as at() says, or fewer; each piece is checked by exact contact. Empty where none is
+    /// known, and where the car is parked already.
+    [[nodiscard]] std::optional<Maneuver> maneuver(const Pose& pose) const;
+
+    [[nodiscard]] const Car& car() const;
+    [[nodiscard]] const Place& place() const;
+    [[nodiscard]] double spacing() const;
+    [[nodiscard]] double clearance() const;
+    /// It counts up to so many changes.
+    [[nodiscard]] int max_changes() const;
+    /// In the middle of those covered; 80 degrees to either side are. [rad]
+    [[nodiscard]] double middle_heading() const;
+
+    /// Tells cars, places and clearances apart.
+    [[nodiscard]] std::uint64_t fingerprint() const;
+    [[nodiscard]] static std::uint64_t fingerprint(const Car& car, const Place& place, double clearance = 0.0);
+    /// Throws Error when this is the map of another car or place, or with another clearance.
+    void expect(const Car& car, const Place& place, double clearance = 0.0) const;
+
+    /// Memory it takes.
+    [[nodiscard]] std::size_t bytes() const;
+
+private:
+    struct Swept;
+    std::shared_ptr<const Swept> swept_;
+};
+
+}  // namespace snug
