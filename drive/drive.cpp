@@ -14,7 +14,7 @@ namespace snug {
 namespace {
 
 /// Margins that are tried, the smallest first: a small one asks for the fewest changes. [m]
-constexpr std::array margins = {0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.10, 0.12, 0.15, 0.2};
+constexpr std::array margins = {0.01, 0.02, 0.025, 0.03, 0.035, 0.04, 0.045, 0.05, 0.06, 0.08, 0.10, 0.12, 0.15, 0.2};
 constexpr int runs_tried = 200;
 
 void check(const DriveOptions& options) {
@@ -43,6 +43,7 @@ std::optional<Assistant> assistant_with(const Car& car, const Place& place, cons
     how.margin = margin;
     how.steering_reserve = options.blind ? 0.0 : std::min(options.errors.steering, car.max_steer() / 4.0);
     how.heading = start.heading;
+    how.spacing = options.spacing;
     try {
         Assistant assistant(car, place, how);
         const Instruction first = assistant.next(start);

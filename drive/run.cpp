@@ -14,11 +14,13 @@
 namespace snug {
 namespace {
 
-constexpr double step = 0.05;         ///< between two measurements on the way [m]
-constexpr int most_moves = 300;       ///< a run that takes more is given up
-constexpr int most_looks = 20;        ///< at standstill, before the car calls itself stuck
-constexpr double settling = 0.7;      ///< distance in which deviations from a move die away [m]
-constexpr double look_seconds = 0.1;  ///< what a look at standstill takes [s]
+constexpr double step = 0.05;          ///< between two measurements on the way [m]
+constexpr int most_moves = 300;        ///< a run that takes more is given up
+constexpr int most_looks = 20;         ///< without a way, before the car calls itself stuck
+constexpr int looks_before_a_way = 3;  ///< at standstill, before the next way is chosen
+constexpr int looks_when_parked = 10;  ///< before the car calls itself parked
+constexpr double settling = 0.7;       ///< distance in which deviations from a move die away [m]
+constexpr double look_seconds = 0.1;   ///< what a look at standstill takes [s]
 
 /// Normal numbers, the same on every machine whose logarithm is.
 class Normal {
@@ -60,19 +62,22 @@ public:
 
 private:
     void looking() {
-        int looks = 0;
+        int parked = 0, stuck = 0;
         for (int moves = 0; moves < most_moves && !result_.contact;) {
-            const Instruction instruction = assistant_.next(filter_.pose());
-            if (instruction.what == Instruction::parked) return;
-            if (instruction.what == Instruction::stuck) {
-                if (++looks == most_looks) return;
-                result_.seconds += look_seconds;
-                look();
+            stand(looks_before_a_way * look_seconds);
+            const Instruction instruction = assistant_.next(filter_.pose(), last_);
+            if (instruction.what == Instruction::parked) {
+                if (++parked == looks_when_parked / looks_before_a_way + 1) return;
                 continue;
             }
-            looks = 0;
+            if (instruction.what == Instruction::stuck) {
+                if (++stuck == most_looks) return;
+                continue;
+            }
+            parked = stuck = 0;
             ++moves;
-            drive_move(instruction.next);
+            for (const Move& move : instruction.moves)
+                if (!drive_move(move)) break;
         }
     }
 
@@ -89,15 +94,17 @@ private:
         }
     }
 
-    /// Drives a move, correcting on the way, until it is done or something is near.
-    void drive_move(const Move& move) {
+    /// Drives a move, correcting on the way, until it is done: true; or something is near: false.
+    bool drive_move(const Move& move) {
         begin(move);
         double progress = 0.0;
         double rolled = 0.0;
         double steering = move.steering_angle;
-        while (progress < move.length && rolled < move.length + 4.0 * step && !result_.contact) {
+        bool clear = true;
+        while (clear && progress < move.length && rolled < move.length + 4.0 * step && !result_.contact) {
             const double ds = std::min(step, std::max(move.length - progress, 1e-3));
-            if (rolled > 0.0 && is_near(move.direction, steering, ds)) break;
+            clear = !is_near(move.direction, steering, ds);
+            if (!clear && rolled > 0.0) break;
             roll(move.direction, steering, ds);
             rolled += ds;
             look();
@@ -107,15 +114,15 @@ private:
         }
         come_to_rest(move.direction, steering);
         steering_ = steering;
-        look();
         result_.seconds += rolling_seconds(rolled);
+        return clear && !result_.contact;
     }
 
     /// Stands, and turns the wheels for a move.
     void begin(const Move& move) {
         if (last_ && *last_ != move.direction) ++result_.direction_changes;
         last_ = move.direction;
-        result_.seconds += std::abs(move.steering_angle - steering_) / options_.limits.steering_rate;
+        stand(std::abs(move.steering_angle - steering_) / options_.limits.steering_rate);
         steering_ = move.steering_angle;
         offset_ = normal_(options_.errors.steering);
         const double c = std::cos(move.steering_angle);
@@ -137,7 +144,7 @@ private:
     void come_to_rest(Direction direction, double steering) {
         if (result_.contact) return;
         const double beyond = normal_(options_.errors.distance);
-        const Direction way = beyond >= 0.0 ? direction
+        const Direction way = beyond >= 0.0                     ? direction
                               : direction == Direction::forward ? Direction::backward
                                                                 : Direction::forward;
         truth_ = drive(assistant_.car(), truth_, way, steering + offset_, std::abs(beyond));
@@ -189,11 +196,15 @@ private:
         pose.heading += errors.bias.heading + normal_(errors.sensing.heading);
         return pose;
     }
+    /// Measures all the while, unless it is blind.
+    void stand(double seconds) {
+        result_.seconds += seconds;
+        if (options_.blind) return;
+        for (double time = 0.0; time < seconds; time += look_seconds) look();
+    }
     void look() { filter_.see(measured(), options_.errors.sensing); }
 
-    [[nodiscard]] double distance() const {
-        return nearest_distance(assistant_.car(), assistant_.place(), truth_);
-    }
+    [[nodiscard]] double distance() const { return nearest_distance(assistant_.car(), assistant_.place(), truth_); }
     [[nodiscard]] double rolling_seconds(double length) const {
         if (length <= 0.0) return 0.0;
         Move move;

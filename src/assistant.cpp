@@ -48,15 +48,15 @@ std::vector<Point> shrunk(std::vector<Point> corners, double by) {
     return inner;
 }
 
-/// The place in which the car has to stand by the margin farther inside.
-Place planned_place(const Place& place, double margin) {
+/// The place in which the car has to stand farther inside to be parked.
+Place planned_place(const Place& place, double inside_by) {
     PlaceDescription planned = {place.obstacles(), place.parked(), place.region()};
     if (auto* inside = std::get_if<ParkedInside>(&planned.parked)) {
-        inside->corners = shrunk(inside->corners, margin);
+        inside->corners = shrunk(inside->corners, inside_by);
     } else {
         auto& at = std::get<ParkedAt>(planned.parked);
-        at.along = std::max(0.0, at.along - margin);
-        at.across = std::max(0.0, at.across - margin);
+        at.along = std::max(0.0, at.along - inside_by);
+        at.across = std::max(0.0, at.across - inside_by);
     }
     return Place(std::move(planned));
 }
@@ -73,7 +73,7 @@ ParkMap planned_map(const Car& car, const Place& place, const AssistantOptions& 
     map.spacing = options.spacing;
     map.clearance = options.margin;
     map.heading = options.heading;
-    return ParkMap(planned_car(car, options.steering_reserve), planned_place(place, options.margin), map);
+    return ParkMap(planned_car(car, options.steering_reserve), planned_place(place, options.margin / 2.0), map);
 }
 
 AssistantOptions of_street(const Street& street, AssistantOptions options) {
@@ -87,6 +87,13 @@ double nearest(const Car& car, const Place& place, const Pose& pose) {
     return least;
 }
 
+/// The moves until the direction changes.
+std::vector<Move> first_way(const std::vector<Move>& moves) {
+    const auto turn = std::find_if(moves.begin(), moves.end(),
+                                   [&](const Move& move) { return move.direction != moves.front().direction; });
+    return {moves.begin(), turn};
+}
+
 }  // namespace
 
 Assistant::Assistant(const Car& car, const Place& place, const AssistantOptions& options)
@@ -97,38 +104,46 @@ Assistant::Assistant(const Car& car, const Street& street, const AssistantOption
 
 std::optional<Maneuver> Assistant::plan(const Pose& measured) const { return map_.maneuver(measured); }
 
-Instruction Assistant::next(const Pose& measured) const {
+Instruction Assistant::next(const Pose& measured, std::optional<Direction> driven) const {
     const MapBounds bounds = map_.at(measured);
     if (bounds.where == MapBounds::outside) return {};
     if (bounds.where == MapBounds::free && bounds.direction_changes == 0 && !bounds.first)
         return {Instruction::parked, {}, 0};
-    if (const std::optional<Maneuver> way = map_.maneuver(measured))
-        return {Instruction::move, way->moves.front(), way->direction_changes()};
-    return escape_from(measured);
+    const std::optional<Maneuver> way = map_.maneuver(measured);
+    if (!way) return short_way(measured, driven, std::numeric_limits<int>::max());
+    const int changes = way->direction_changes() + (driven && *driven != way->moves.front().direction ? 1 : 0);
+    if (driven && changes > 0) {
+        const Instruction farther = short_way(measured, driven, changes - 1);
+        if (farther.what != Instruction::stuck) return farther;
+    }
+    return {Instruction::move, first_way(way->moves), changes};
 }
 
-Instruction Assistant::escape_from(const Pose& measured) const {
-    constexpr double step = 0.02, farthest = 1.5;  // [m]
+Instruction Assistant::short_way(const Pose& measured, std::optional<Direction> driven, int most_changes) const {
+    constexpr double step = 0.02, farthest = 1.0;  // [m]
     constexpr double touch = 1e-9;
     const double room = nearest(car_, place_, measured);
     if (!(room >= -touch)) return {};
+    const double kept = std::min(room, map_.clearance()) - touch;
     Instruction best;
     double best_cost = std::numeric_limits<double>::infinity();
     for (const Direction direction : {Direction::backward, Direction::forward}) {
+        const int turn = driven && *driven != direction ? 1 : 0;
         for (const double part : {0.0, -1.0, 1.0, -0.5, 0.5}) {
             const double steering = part * map_.car().max_steer();
             for (double length = step; length <= farthest; length += step) {
                 const Pose there = drive(car_, measured, direction, steering, length);
-                if (nearest(car_, place_, there) < std::min(room, map_.clearance()) - touch) break;
+                if (nearest(car_, place_, there) < kept) break;
                 const MapBounds bounds = map_.at(there);
                 if (bounds.where != MapBounds::free || !bounds.direction_changes) continue;
-                const bool turns = bounds.first && *bounds.first != direction;
-                const int changes = *bounds.direction_changes + (turns ? 1 : 0);
+                const int changes =
+                    *bounds.direction_changes + turn + (bounds.first && *bounds.first != direction ? 1 : 0);
                 const double cost = changes + length / 10.0;
-                if (cost >= best_cost) continue;
+                if (changes > most_changes || cost >= best_cost) continue;
                 best_cost = cost;
-                best = {Instruction::escape, {direction, steering, length, measured, there, {}}, changes};
-                break;
+                best = {room < map_.clearance() ? Instruction::escape : Instruction::move,
+                        {{direction, steering, length, measured, there, {}}},
+                        changes};
             }
         }
     }

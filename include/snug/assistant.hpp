@@ -1,6 +1,9 @@
 // Assistant: what a car that knows its map does next, from wherever it was measured.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/park_map.hpp"
@@ -10,7 +13,7 @@ namespace snug {
 
 /// How a plan keeps its distance from a car that errs.
 struct AssistantOptions {
-    /// The frame grows by it for planning, and the car is parked only where it stands so far inside of what counts. [m]
+    /// The frame grows by it for planning, and the car is parked only where it stands by half of it farther inside. [m]
     double margin = 0.05;
     /// Of the steering angle, kept for corrections on the way. [rad]
     double steering_reserve = 0.0;
@@ -23,13 +26,13 @@ struct AssistantOptions {
 struct Instruction {
     enum What {
         parked,  ///< nothing: the car is parked
-        move,    ///< drive this move, then ask again
-        escape,  ///< the same, but the car stands nearer to something than the margin: the move leads away from it
+        move,    ///< drive these moves, then ask again
+        escape,  ///< the same, but the car stands nearer to something than the margin: they lead away from it
         stuck,   ///< no way is known from here
     };
     What what = stuck;
-    Move next;                 ///< from the pose measured, with one steering angle
-    int direction_changes = 0;  ///< of the way to where the car is parked, this move included
+    std::vector<Move> moves;    ///< of one direction, the first from the pose measured
+    int direction_changes = 0;  ///< of all of the way to where the car is parked
 
     friend bool operator==(const Instruction&, const Instruction&) = default;
 };
@@ -43,11 +46,14 @@ public:
     Assistant(const Car& car, const Place& place, const AssistantOptions& options = {});
     Assistant(const Car& car, const Street& street, const AssistantOptions& options = {});
 
-    /// From a measured pose: the first move of the way with the fewest changes the map knows. It goes through nothing, grown by the
-    /// margin. Where the car stands closer than that to something (but does not overlap it), the shortest arc that comes no nearer
-    /// to anything than the car stands and ends where a way is known. A pose that is no number, outside of the map, or overlaps
-    /// something has no way: stuck.
-    [[nodiscard]] Instruction next(const Pose& measured) const;
+    /// From a measured pose: how to drive until the direction changes, on the way with the fewest changes the map knows. `driven` is
+    /// the direction of the last move, for turning costs a change. It goes through nothing, grown by the margin.
+    ///
+    /// Where a short arc of one direction leads to a pose from where fewer changes are left in all, it is driven first; so too where
+    /// the map knows no way, as when the car stands closer to something than the margin (but does not overlap it): an arc that comes
+    /// no nearer to anything than the car stands. A pose that is no number, outside of the map, or overlaps something has no way:
+    /// stuck.
+    [[nodiscard]] Instruction next(const Pose& measured, std::optional<Direction> driven = {}) const;
     /// All of the way, as next() would give it move by move; empty when the car is parked or stuck.
     [[nodiscard]] std::optional<Maneuver> plan(const Pose& measured) const;
 
@@ -57,7 +63,7 @@ public:
     [[nodiscard]] const ParkMap& map() const { return map_; }
 
 private:
-    [[nodiscard]] Instruction escape_from(const Pose& measured) const;
+    [[nodiscard]] Instruction short_way(const Pose& measured, std::optional<Direction> driven, int most_changes) const;
 
     Car car_;
     Place place_;

@@ -25,7 +25,8 @@ struct DriveOptions {
     CarErrors errors = {};
     /// How much the car is grown for planning [m]; empty: the least of a list that parks often enough.
     std::optional<double> margin = {};
-    double rate = 0.999;     ///< the share of runs that must park without contact, where the margin is looked for
+    double rate = 0.999;  ///< the share of runs that must park without contact, where the margin is looked for
+    double spacing = 0.0;    ///< of the map [m]; 0: its usual one
     int runs = 1000;
     std::uint64_t seed = 1;  ///< the same seed, the same runs
     /// Drive the plan of the start to its end without measuring again.
@@ -38,10 +39,10 @@ struct DriveOptions {
 
 /// One run of the car.
 struct DriveRun {
-    bool parked = false;          ///< truly, and without contact
-    bool contact = false;         ///< touched something; the run ends there
-    int direction_changes = 0;    ///< driven
-    double seconds = 0.0;         ///< until it stood for good
+    bool parked = false;             ///< truly, and without contact
+    bool contact = false;            ///< touched something; the run ends there
+    int direction_changes = 0;       ///< driven
+    double seconds = 0.0;            ///< until it stood for good
     double smallest_distance = 0.0;  ///< to anything [m]
     std::vector<Pose> track;         ///< true poses, every few centimetres
 
@@ -51,9 +52,9 @@ struct DriveRun {
 struct DriveAnswer {
     bool plannable = false;  ///< with a margin at all: else there are no runs
     bool cancelled = false;
-    double margin = 0.0;     ///< [m]
+    double margin = 0.0;  ///< [m]
     int planned_changes = 0;
-    int lower_bound = 0;  ///< of the direction changes of any maneuver of the car as it is, without errors
+    int lower_bound = 0;              ///< of the direction changes of any maneuver of the car as it is, without errors
     std::optional<Maneuver> planned;  ///< from the start, with its margin
     std::vector<DriveRun> runs;
 
