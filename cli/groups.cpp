@@ -152,6 +152,21 @@ Street StreetOptions::street(const SlotDimensions& slot) const {
     return street;
 }
 
+BayOptions::BayOptions(Options& options) : car(options), slot(options), street(options), neighbours(options) {}
+
+SlotDimensions BayOptions::dimensions(const Car& of) const {
+    SlotDimensions described = slot.dimensions(of);
+    neighbours.describe(described);
+    return described;
+}
+
+Street BayOptions::bay(const Car& of, const Driving& driving) const {
+    Street made = street.street(dimensions(of));
+    made.enter = driving.enter;
+    made.curb_clearance = driving.curb_clearance;
+    return made;
+}
+
 ParkedOptions::ParkedOptions(Options& options)
     : heading(options.group("What counts as parked")
                   .number("--parked-heading", "DEG", "At most so far off parallel [degrees] (any heading).",

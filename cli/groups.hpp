@@ -63,6 +63,18 @@ struct StreetOptions {
     Option<double> stretch;
 };
 
+/// The car, and the bay at a street with what stands beside it.
+struct BayOptions {
+    explicit BayOptions(Options& options);
+    [[nodiscard]] SlotDimensions dimensions(const Car& of) const;
+    [[nodiscard]] Street bay(const Car& of, const Driving& driving) const;
+
+    CarOptions car;
+    SlotOptions slot;
+    StreetOptions street;
+    NeighbourOptions neighbours;
+};
+
 /// --parked-heading and --parked-curb.
 struct ParkedOptions {
     explicit ParkedOptions(Options& options);

@@ -32,10 +32,7 @@ constexpr const char* examples =
 /// The options of `snug leave`, in the order of its help text.
 struct Asked {
     explicit Asked(Options& options)
-        : car(options),
-          slot(options),
-          street(options),
-          neighbours(options),
+        : bay(options),
           gap_front(options.group("Where it is parked")
                         .number("--gap-front", "M", "From its foremost point to the front neighbour [m].", gap)),
           gap_curb(options.number("--gap-curb", "M", "From its point nearest the curb to the curb [m].", gap)),
@@ -45,34 +42,19 @@ struct Asked {
           from(options.declared<Pose>("--from", "X,Y,HEADING",
                                       "Or where the rear axle's middle stands, in the\nworld [m, rad].", pose)),
           driving(options),
-          max_changes(options.group("Question")
-                          .whole_number("--max-changes", "N", "At most that many direction changes (200).", 0,
-                                        limits::most_changes_fewest)),
-          resolution(resolution_option(options, "ten-thousandth", "Finest")),
-          time_limit(time_limit_option(options, "End")),
-          output(options),
-          draw(draw_option(options)),
-          waypoints(options),
-          trajectory(options) {}
+          search(options.group("Question"), "ten-thousandth"),
+          files(options) {}
 
     static constexpr Quantity gap = {" m", 0.0, limits::longest};
 
-    CarOptions car;
-    SlotOptions slot;
-    StreetOptions street;
-    NeighbourOptions neighbours;
+    BayOptions bay;
     Option<double> gap_front;
     Option<double> gap_curb;
     Option<double> heading;
     Option<Pose> from;
     DrivingOptions driving;
-    Option<int> max_changes;
-    Option<double> resolution;
-    Option<double> time_limit;
-    OutputOptions output;
-    Option<std::string> draw;
-    WaypointsOptions waypoints;
-    TrajectoryOptions trajectory;
+    SearchOptions search;
+    ParkFileOptions files;
 };
 
 double needed(const Option<double>& gap) {
@@ -89,7 +71,7 @@ Pose parked(const Asked& asked, const Car& car, const Slot& slot) {
                             " exclude each other; give the gaps or the pose");
         return *asked.from;
     }
-    if (asked.street.angle && *asked.street.angle > 0.0)
+    if (asked.bay.street.angle && *asked.bay.street.angle > 0.0)
         throw Error(asked.from.name() + " is missing; at an angle give the pose of the parked car as X,Y,HEADING");
     ParkedGaps gaps;
     gaps.front = needed(asked.gap_front);
@@ -98,56 +80,44 @@ Pose parked(const Asked& asked, const Car& car, const Slot& slot) {
     return parked_pose(car, slot, gaps);
 }
 
-/// Out of a bay in a street whose road and stretch are known.
-Action leave_street(const Asked& asked, const Car& car, const SlotDimensions& slot, const Pose& pose,
-                    const FewestOptions& limited, const ParkFiles& files) {
-    Street street = asked.street.street(slot);
-    street.enter = limited.driving.enter;
-    street.curb_clearance = limited.driving.curb_clearance;
-    ParkOptions options;
-    options.max_changes = limited.max_changes;
-    options.clearance = limited.driving.clearance;
-    options.resolution = limited.resolution;
-    options.time_limit = limited.time_limit;
-    return park_action({car, {road_place(street), pose}, street, options, true}, files);
-}
-
 }  // namespace
 
 Action parse_leave(const Arguments& arguments) {
     Options options("snug leave", purpose, examples);
     const Asked asked(options);
     if (!options.read(arguments)) return say(options.help());
-    const Car car = asked.car.car();
-    SlotDimensions slot = asked.slot.dimensions(car);
-    asked.neighbours.describe(slot);
-    EntryQuestion question = {car, Slot(slot), {}};
-    FewestOptions limited;
-    limited.max_changes = asked.max_changes.value_or(limited.max_changes);
-    limited.driving = asked.driving.driving(asked.neighbours);
-    limited.resolution = asked.resolution.value_or(0.0);
-    limited.time_limit = asked.time_limit.value_or(limited.time_limit);
-    limited.progress = show_bounds();
-    question.options.driving = limited.driving;
+    const Car car = asked.bay.car.car();
+    const ParkFiles files =
+        asked.files.files(asked.files.output.format_without_csv("csv has rows of ranges, but leave has none"));
+    EntryQuestion question = {car, Slot(asked.bay.dimensions(car)), {}};
+    question.options.driving = asked.driving.driving(asked.bay.neighbours);
     const Pose pose = parked(asked, car, question.slot);
-    const Format format = asked.output.format_without_csv("csv has rows of ranges, but leave has none");
-    const std::optional<PictureFile> picture = picture_file(asked.draw, asked.output);
-    const std::optional<WaypointsFile> route = waypoints_file(asked.waypoints, asked.draw, asked.output.file);
-    const std::optional<TrajectoryFile> timed =
-        trajectory_file(asked.trajectory, asked.waypoints.file, asked.draw, asked.output.file);
-    if (asked.street.angle || asked.street.road || asked.street.stretch)
-        return leave_street(asked, car, slot, pose, limited, {format, picture, route, timed, asked.output.path()});
-    return [question, limited, pose, format, picture, route, timed, path = asked.output.path()] {
+    const StreetOptions& street = asked.bay.street;
+    if (street.angle || street.road || street.stretch) {
+        // Out of a bay in a street whose road and stretch are known.
+        const Street bay = asked.bay.bay(car, question.options.driving);
+        ParkOptions in_street;
+        in_street.clearance = question.options.driving.clearance;
+        asked.search.limit(in_street);
+        return park_action({car, {road_place(bay), pose}, bay, in_street, true}, files);
+    }
+    FewestOptions limited;
+    limited.driving = question.options.driving;
+    asked.search.limit(limited);
+    limited.progress = show_bounds();
+    return [question, limited, pose, files] {
         const Answer answer = leave(question.car, question.slot, pose, limited);
         if (limited.progress) wipe_progress();
-        if (route) write_file("--waypoints", route->path, written(*route, answer.maneuver));
-        if (timed) write_file("--trajectory", timed->path, written(*timed, question.car, answer.maneuver));
-        if (picture && answer.maneuver) {
+        if (files.route) write_file("--waypoints", files.route->path, written(*files.route, answer.maneuver));
+        if (files.timed)
+            write_file("--trajectory", files.timed->path, written(*files.timed, question.car, answer.maneuver));
+        if (files.picture && answer.maneuver) {
             const PictureOptions drawn = {limited.driving};
-            write_file("--draw", picture->path, draw_maneuver(question.slot, *answer.maneuver, picture->format, drawn));
+            write_file("--draw", files.picture->path,
+                       draw_maneuver(question.slot, *answer.maneuver, files.picture->format, drawn));
         }
-        put_out(path, format == Format::json ? leave_json(question, answer)
-                                             : leave_text(question, limited.max_changes, answer));
+        put_out(files.path, files.format == Format::json ? leave_json(question, answer)
+                                                         : leave_text(question, limited.max_changes, answer));
         return exit_code(answer);
     };
 }

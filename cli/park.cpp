@@ -12,6 +12,7 @@
 #include "snug/error.hpp"
 #include "snug/io.hpp"
 #include "snug/limits.hpp"
+#include "snug/park_map.hpp"
 
 namespace snug::cli {
 namespace {
@@ -29,7 +30,9 @@ constexpr const char* examples =
     "  snug park --car renault-zoe --length 5.2 --width 2 --road 3.5\n"
     "  snug park --car renault-zoe --length 5 --width 2.5 --angle 90 --road 6\n"
     "  snug park --car opel-corsa --length 5 --width 2 --from 2,1.5,0 --draw way.svg\n"
-    "  snug park --car renault-zoe --scene yard.json --waypoints way.csv\n\n"
+    "  snug park --car renault-zoe --scene yard.json --waypoints way.csv\n"
+    "  snug park --car renault-zoe --length 5.2 --width 2 --road 3.5 --view map \\\n"
+    "      --draw street.svg\n\n"
     "Exit codes: 0 solved; 1 understood, and the car cannot park; 2 bad input, with\n"
     "one line that says what is wrong; 3 undecided within the limits given. Ctrl-C\n"
     "ends with the bounds found so far.";
@@ -37,10 +40,7 @@ constexpr const char* examples =
 /// The options of `snug park`, in the order of its help text.
 struct Asked {
     explicit Asked(Options& options)
-        : car(options),
-          slot(options),
-          street(options),
-          neighbours(options),
+        : bay(options),
           parked(options),
           driving(options),
           scene(options.group("Any place")
@@ -52,42 +52,22 @@ struct Asked {
                                    "Where the rear axle's middle stands, in the world\n[m, rad] (beside the front "
                                    "neighbour; past a bay).",
                                    pose)),
-          max_changes(options.whole_number("--max-changes", "N", "At most that many direction changes (200).", 0,
-                                           limits::most_changes_fewest)),
-          resolution(resolution_option(options, "eight-hundredth", "Finest")),
-          time_limit(time_limit_option(options, "End")),
-          output(options),
-          draw(draw_option(options)),
-          waypoints(options),
-          trajectory(options) {}
+          search(options, "eight-hundredth"),
+          files(options),
+          view(options.choice<ParkView>("--view", "VIEW",
+                                        "What to draw: maneuver (default), or map: from where\nin the place how many "
+                                        "changes are needed, at the\nheading of --from.",
+                                        {{"maneuver", ParkView::maneuver}, {"map", ParkView::map}})) {}
 
-    CarOptions car;
-    SlotOptions slot;
-    StreetOptions street;
-    NeighbourOptions neighbours;
+    BayOptions bay;
     ParkedOptions parked;
     DrivingOptions driving;
     Option<std::string> scene;
     Option<Pose> from;
-    Option<int> max_changes;
-    Option<double> resolution;
-    Option<double> time_limit;
-    OutputOptions output;
-    Option<std::string> draw;
-    WaypointsOptions waypoints;
-    TrajectoryOptions trajectory;
+    SearchOptions search;
+    ParkFileOptions files;
+    Option<ParkView> view;
 };
-
-Street street_of(const Asked& asked, const Car& car) {
-    SlotDimensions slot = asked.slot.dimensions(car);
-    asked.neighbours.describe(slot);
-    Street street = asked.street.street(slot);
-    const Driving driving = asked.driving.driving(asked.neighbours);
-    street.enter = driving.enter;
-    street.curb_clearance = driving.curb_clearance;
-    street.parked = asked.parked.parked();
-    return street;
-}
 
 /// Throws Error where an option is given that a scene file speaks of itself.
 void refuse_beside_scene(const Asked& asked) {
@@ -96,32 +76,30 @@ void refuse_beside_scene(const Asked& asked) {
             throw Error(option.name() + " describes a slot, but " + asked.scene.name() +
                         " gives the whole place; leave out one of them");
     };
-    refuse(asked.slot.length);
-    refuse(asked.slot.width);
-    refuse(asked.slot.extra_length);
-    refuse(asked.slot.extra_width);
-    refuse(asked.slot.side);
-    refuse(asked.slot.corner);
-    refuse(asked.slot.heading);
-    refuse(asked.street.angle);
-    refuse(asked.street.road);
-    refuse(asked.street.stretch);
-    refuse(asked.neighbours.front_setback);
-    refuse(asked.neighbours.rear_setback);
-    refuse(asked.neighbours.curb);
-    refuse(asked.neighbours.curb_clearance);
+    refuse(asked.bay.slot.length);
+    refuse(asked.bay.slot.width);
+    refuse(asked.bay.slot.extra_length);
+    refuse(asked.bay.slot.extra_width);
+    refuse(asked.bay.slot.side);
+    refuse(asked.bay.slot.corner);
+    refuse(asked.bay.slot.heading);
+    refuse(asked.bay.street.angle);
+    refuse(asked.bay.street.road);
+    refuse(asked.bay.street.stretch);
+    refuse(asked.bay.neighbours.front_setback);
+    refuse(asked.bay.neighbours.rear_setback);
+    refuse(asked.bay.neighbours.curb);
+    refuse(asked.bay.neighbours.curb_clearance);
     refuse(asked.parked.heading);
     refuse(asked.parked.curb);
     refuse(asked.driving.enter);
 }
 
 ParkQuestion question(const Asked& asked) {
-    const Car car = asked.car.car();
+    const Car car = asked.bay.car.car();
     ParkOptions options;
-    options.max_changes = asked.max_changes.value_or(options.max_changes);
     options.clearance = asked.driving.clearance.value_or(0.0);
-    options.resolution = asked.resolution.value_or(0.0);
-    options.time_limit = asked.time_limit.value_or(options.time_limit);
+    asked.search.limit(options);
     if (asked.scene) {
         refuse_beside_scene(asked);
         try {
@@ -132,9 +110,10 @@ ParkQuestion question(const Asked& asked) {
             throw Error(asked.scene.name() + ": " + error.what());
         }
     }
-    if (!asked.slot.length && !asked.slot.extra_length)
+    if (!asked.bay.slot.length && !asked.bay.slot.extra_length)
         throw Error("no place is given; give a slot with --length and --width, or a file with --scene");
-    const Street street = street_of(asked, car);
+    Street street = asked.bay.bay(car, asked.driving.driving(asked.bay.neighbours));
+    street.parked = asked.parked.parked();
     const Pose start = asked.from ? *asked.from : standard_start(street, car);
     return {car, {street_place(street), start}, street, options};
 }
@@ -146,6 +125,16 @@ std::string written(Format format, const ParkQuestion& question, const ParkAnswe
         case Format::text: break;
     }
     return park_text(question, answer);
+}
+
+std::string drawn_map(const PictureFile& picture, const ParkQuestion& question) {
+    ParkMapOptions options;
+    options.clearance = question.options.clearance;
+    options.heading = question.street ? question.street->heading : question.scene.start.heading;
+    options.progress = [] { return interruption() == 0; };
+    const ParkMap map(question.car, question.scene.place, options);
+    if (question.street) return draw_map(map, *question.street, question.scene.start, picture.format);
+    return draw_map(map, question.scene, picture.format);
 }
 
 std::string drawn(const PictureFile& picture, const ParkQuestion& question, const ParkAnswer& answer) {
@@ -163,13 +152,30 @@ Action parse_park(const Arguments& arguments) {
     const Asked asked(options);
     if (!options.read(arguments)) return say(options.help());
     const ParkQuestion whole = question(asked);
-    ParkFiles files;
-    files.format = asked.output.format();
-    files.picture = picture_file(asked.draw, asked.output);
-    files.route = waypoints_file(asked.waypoints, asked.draw, asked.output.file);
-    files.timed = trajectory_file(asked.trajectory, asked.waypoints.file, asked.draw, asked.output.file);
-    files.path = asked.output.path();
+    ParkFiles files = asked.files.files(asked.files.output.format());
+    if (asked.view && !files.picture)
+        throw Error(asked.view.name() + " belongs to --draw; leave it out or give --draw FILE");
+    files.view = asked.view.value_or(files.view);
     return park_action(whole, files);
+}
+
+SearchOptions::SearchOptions(Options& options, const std::string& finest)
+    : max_changes(options.whole_number("--max-changes", "N", "At most that many direction changes (200).", 0,
+                                       limits::most_changes_fewest)),
+      resolution(resolution_option(options, finest, "Finest")),
+      time_limit(time_limit_option(options, "End")) {}
+
+ParkFileOptions::ParkFileOptions(Options& options)
+    : output(options), draw(draw_option(options)), waypoints(options), trajectory(options) {}
+
+ParkFiles ParkFileOptions::files(Format format) const {
+    ParkFiles files;
+    files.format = format;
+    files.picture = picture_file(draw, output);
+    files.route = waypoints_file(waypoints, draw, output.file);
+    files.timed = trajectory_file(trajectory, waypoints.file, draw, output.file);
+    files.path = output.path();
+    return files;
 }
 
 Action park_action(const ParkQuestion& question, const ParkFiles& files) {
@@ -189,7 +195,10 @@ Action park_action(const ParkQuestion& question, const ParkFiles& files) {
         if (files.route) write_file("--waypoints", files.route->path, written(*files.route, answer.maneuver));
         if (files.timed)
             write_file("--trajectory", files.timed->path, written(*files.timed, question.car, answer.maneuver));
-        if (files.picture) write_file("--draw", files.picture->path, drawn(*files.picture, question, answer));
+        if (files.picture)
+            write_file("--draw", files.picture->path,
+                       files.view == ParkView::map ? drawn_map(*files.picture, question)
+                                                   : drawn(*files.picture, question, answer));
         put_out(files.path, written(files.format, question, answer));
         return interruption() != 0 ? interruption() : exit_code(answer);
     };

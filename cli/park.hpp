@@ -24,6 +24,26 @@ struct ParkQuestion {
 /// What a person needs: what to do move by move from where the car stands, how it ends, and what is proved. At most 80 columns.
 std::string park_text(const ParkQuestion& question, const ParkAnswer& answer);
 
+/// --max-changes, --resolution and --time-limit, of park and leave alike.
+struct SearchOptions {
+    /// `finest`: what part of the car's length the spacing is by default.
+    SearchOptions(Options& options, const std::string& finest);
+    /// Of ParkOptions or FewestOptions.
+    template <class Asked>
+    void limit(Asked& asked) const {
+        asked.max_changes = max_changes.value_or(asked.max_changes);
+        asked.resolution = resolution.value_or(asked.resolution);
+        asked.time_limit = time_limit.value_or(asked.time_limit);
+    }
+
+    Option<int> max_changes;
+    Option<double> resolution;
+    Option<double> time_limit;
+};
+
+/// What --draw shows.
+enum class ParkView { maneuver, map };
+
 /// Where the parts of an answer go.
 struct ParkFiles {
     Format format = Format::text;
@@ -31,6 +51,18 @@ struct ParkFiles {
     std::optional<WaypointsFile> route;
     std::optional<TrajectoryFile> timed;
     std::string path;  ///< empty for standard output
+    ParkView view = ParkView::maneuver;
+};
+
+/// -o, --format, --draw, --waypoints and --trajectory.
+struct ParkFileOptions {
+    explicit ParkFileOptions(Options& options);
+    [[nodiscard]] ParkFiles files(Format format) const;
+
+    OutputOptions output;
+    Option<std::string> draw;
+    WaypointsOptions waypoints;
+    TrajectoryOptions trajectory;
 };
 
 /// Answers the question, with what is known when Ctrl-C is pressed.

@@ -1,6 +1,5 @@
 // The picture of parking in any place: obstacles, where the car stands, the way and where it ends.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "legs.hpp"
 #include "moves_table.hpp"
 #include "path.hpp"
+#include "place_ground.hpp"
 #include "scene.hpp"
 #include "snug/draw.hpp"
 #include "stage.hpp"
@@ -30,42 +30,6 @@ struct Picture {
     Slot frame;
     std::string facts;
 };
-
-/// A polygon of the slot frame without what lies on the far side of one edge of a box.
-template <class Inside, class Cut>
-std::vector<Point> without(const std::vector<Point>& polygon, const Inside& inside, const Cut& cut) {
-    std::vector<Point> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Point &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
-        if (inside(from)) kept.push_back(from);
-        if (inside(from) != inside(to)) kept.push_back(cut(from, to));
-    }
-    return kept;
-}
-
-/// The part of a polygon around the view, on the page: what is far outside would be too far for Cairo.
-std::vector<Point> on_page(const View& view, const Slot& frame, const std::vector<Point>& world) {
-    const double out = 20.0 / view.scale;
-    const Box box = {view.seen.x_min - out, view.seen.x_max + out, view.seen.y_min - out, view.seen.y_max + out};
-    std::vector<Point> polygon;
-    for (const Point& corner : world) polygon.push_back(frame.to_slot(corner));
-    const auto at_x = [](double x) {
-        return [x](const Point& a, const Point& b) { return Point{x, a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x))}; };
-    };
-    const auto at_y = [](double y) {
-        return [y](const Point& a, const Point& b) { return Point{a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)), y}; };
-    };
-    polygon = without(
-        polygon, [&](const Point& p) { return p.x >= box.x_min; }, at_x(box.x_min));
-    polygon = without(
-        polygon, [&](const Point& p) { return p.x <= box.x_max; }, at_x(box.x_max));
-    polygon = without(
-        polygon, [&](const Point& p) { return p.y >= box.y_min; }, at_y(box.y_min));
-    polygon = without(
-        polygon, [&](const Point& p) { return p.y <= box.y_max; }, at_y(box.y_max));
-    for (Point& corner : polygon) corner = view(corner);
-    return polygon;
-}
 
 /// What is to be seen at least, in the frame: the goal and all of the car all the way.
 Box needed(const Picture& picture) {
@@ -97,34 +61,11 @@ View view_of(const Picture& picture) {
     return view;
 }
 
-void draw_obstacles(cairo_t* canvas, const View& view, const Picture& picture) {
-    trace_box(canvas, view.page());
-    fill(canvas, palette::road);
-    for (const PlaceObstacle& obstacle : picture.place.obstacles()) {
-        trace(canvas, on_page(view, picture.frame, obstacle.corners), true);
-        fill_and_stroke(canvas, obstacle.low ? palette::curb : palette::blocked, palette::neighbour_line, line::thin);
-    }
-}
-
-/// The polygon to park in; a pose to park at is shown by the car there.
-void draw_target(cairo_t* canvas, const View& view, const Picture& picture) {
-    const auto* inside = std::get_if<ParkedInside>(&picture.place.parked());
-    if (inside == nullptr) return;
-    const std::vector<Point> corners = on_page(view, picture.frame, inside->corners);
-    trace(canvas, corners, true);
-    fill(canvas, palette::slot_floor);
-    const Saved saved(canvas);
-    const std::array<double, 2> pattern = {5.0, 4.0};
-    cairo_set_dash(canvas, pattern.data(), 2, 0.0);
-    trace(canvas, corners, true);
-    stroke(canvas, palette::slot, line::thin);
-}
-
 void draw_stage(cairo_t* canvas, const View& view, const Stage& stage, const Picture& picture) {
     const Saved saved(canvas);
     clip_to(canvas, view);
-    draw_obstacles(canvas, view, picture);
-    draw_target(canvas, view, picture);
+    draw_obstacles(canvas, view, picture.frame, picture.place);
+    draw_target(canvas, view, picture.frame, picture.place);
     if (picture.answer.maneuver) {
         const Pose goal = stage.legs.empty() ? picture.start : stage.legs.back().move->end;
         draw_goal(canvas, view, stage, goal);
@@ -198,26 +139,13 @@ std::string drawn(const Picture& picture, PictureFormat format, const PictureOpt
 std::string draw_park(const Car& car, const Street& street, const Pose& start, const ParkAnswer& answer,
                       PictureFormat format, const PictureOptions& options) {
     using namespace drawing;
-    const Unit unit = unit_for(car.length());
-    std::string facts = "slot " + size_label(street.length, street.width, unit) + " on the " +
-                        (street.side == Side::left ? "left" : "right");
-    if (street.angle > 0.0) facts += ", at " + degrees_label(street.angle, 1);
-    if (street.road) facts += ", road " + length_label(*street.road, unit);
-    facts += street.enter == Enter::forward ? ", nose first" : ", tail first";
-    const Slot frame({.length = street.length,
-                      .width = street.width,
-                      .side = street.side,
-                      .corner = street.corner,
-                      .heading = street.heading});
-    return drawn({car, street_place(street), start, answer, frame, facts}, format, options);
+    return drawn({car, street_place(street), start, answer, frame_of(street), facts_of(street, unit_for(car.length()))},
+                 format, options);
 }
 
 std::string draw_park(const Car& car, const Scene& scene, const ParkAnswer& answer, PictureFormat format,
                       const PictureOptions& options) {
-    const std::size_t count = scene.place.obstacles().size();
-    const Slot frame({.length = 1.0, .width = 1.0, .corner = {scene.start.x, scene.start.y}});
-    return drawing::drawn({car, scene.place, scene.start, answer, frame,
-                           "a scene with " + std::to_string(count) + (count == 1 ? " obstacle" : " obstacles")},
+    return drawing::drawn({car, scene.place, scene.start, answer, drawing::frame_of(scene), drawing::facts_of(scene)},
                           format, options);
 }
 

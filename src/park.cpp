@@ -168,7 +168,8 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     Maneuver maneuver = detail::in_world(car, start, bounds.way);
     answer.stops = stops_of(maneuver, place, options.clearance);
     answer.maneuver = std::move(maneuver);
-    for (const std::vector<detail::Path>& way : bounds.others) answer.alternatives.push_back(detail::in_world(car, start, way));
+    for (const std::vector<detail::Path>& way : bounds.others)
+        answer.alternatives.push_back(detail::in_world(car, start, way));
     return answer;
 }
 

@@ -109,8 +109,9 @@ ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& optio
     const double heading = options.heading.value_or(heading_of(place));
     const ChartPlace here = chart_place(car, place, anywhere(place, heading), options.clearance, chart);
     if (std::abs(here.start.heading) > half_turn * 75.0 / 180.0)
-        throw Error("the street's heading and the parked one are more than 150 degrees apart; name the nearer of the two "
-                    "directions of the street");
+        throw Error(
+            "the street's heading and the parked one are more than 150 degrees apart; name the nearer of the two "
+            "directions of the street");
     constexpr double most_cells = 4e6;
     const double cells = (here.x_max - here.x_min) * 2.0 * here.radius / (asked.spacing * asked.spacing);
     if (cells > most_cells)
@@ -182,7 +183,9 @@ int ParkMap::max_changes() const { return swept_->options.max_changes; }
 double ParkMap::middle_heading() const { return swept_->chart.turned; }
 std::size_t ParkMap::bytes() const { return swept_->outer.bytes() + swept_->inner.bytes(); }
 
-std::uint64_t ParkMap::fingerprint() const { return fingerprint(swept_->car, swept_->place, swept_->options.clearance); }
+std::uint64_t ParkMap::fingerprint() const {
+    return fingerprint(swept_->car, swept_->place, swept_->options.clearance);
+}
 
 std::uint64_t ParkMap::fingerprint(const Car& car, const Place& place, double clearance) {
     Fingerprint print;
@@ -206,8 +209,8 @@ std::uint64_t ParkMap::fingerprint(const Car& car, const Place& place, double cl
         }
     } else {
         const auto& parked = std::get<ParkedAt>(place.parked());
-        for (const double number : {parked.pose.x, parked.pose.y, parked.pose.heading, parked.along, parked.across,
-                                    parked.heading})
+        for (const double number :
+             {parked.pose.x, parked.pose.y, parked.pose.heading, parked.along, parked.across, parked.heading})
             print.add(number);
     }
     print.add(place.region());

@@ -8,5 +8,6 @@ namespace snug::python {
 void define_values(pybind11::module_& module);
 void define_questions(pybind11::module_& module);
 void define_arrays(pybind11::module_& module);
+void define_parking(pybind11::module_& module);
 
 }  // namespace snug::python

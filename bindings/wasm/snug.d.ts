@@ -7,7 +7,7 @@
 //     const answer = snug.entry("renault-zoe", { length: 4.5, width: 2.0 });
 //     console.log(answer.direction_changes, answer.entry_ranges, answer.maneuver?.moves);
 //
-// Questions answer before they return: ask long ones (fewest, leave) in a worker, which can be ended.
+// Questions answer before they return: ask long ones (fewest, leave, park) in a worker, which can be ended.
 
 /** A car of the catalogue by name, or what a car file says of it (docs/formats.md). */
 export type CarLike = string | (CarShape & Steering & { name?: string; wheelbase: number });
@@ -202,6 +202,103 @@ export interface MaxSteerRun {
     maneuver?: Maneuver;
 }
 
+/** A bay at a street: `length` along the parked car, `width` across it, at `angle` to the street. */
+export interface StreetLike extends SlotLike {
+    /** From 0, parallel, to a quarter turn. */
+    angle?: number;
+    /** From the entry side to a wall beyond; null or nothing: none. */
+    road?: number | null;
+    /** How far beyond the slot the rear axle may go. */
+    stretch?: number;
+}
+
+/** Any place, as a scene file says it (docs/formats.md). */
+export interface Scene {
+    obstacles: ([number, number][] | { polygon: [number, number][]; low?: boolean; name?: string })[];
+    parked:
+        | { inside: [number, number][]; heading: number; heading_tolerance?: number }
+        | { pose: [number, number, number]; tolerance: [number, number, number] };
+    start: [number, number, number];
+    region?: { x_min: number; x_max: number; y_min: number; y_max: number };
+}
+
+export interface ParkOptions extends FewestOptions {
+    /** Without it, where the scene says, or beside the front neighbour; past a bay. */
+    start?: Pose;
+}
+
+/** A maneuver that begins anywhere; of each move also what the car is nearest to at its end. */
+export interface ParkManeuver extends Omit<Maneuver, "swept" | "entry"> {
+    start: Pose;
+    moves: (Move & { nearest?: { car: string; obstacle: string; distance: number } })[];
+}
+
+export interface ParkAnswer {
+    schema: 1;
+    car: Car;
+    slot?: Required<Pick<StreetLike, "length" | "width" | "side" | "corner" | "heading" | "angle" | "stretch">> &
+        StreetLike;
+    scene?: Scene;
+    start: Pose;
+    max_changes: number;
+    /** Null when undecided. */
+    parkable: boolean | null;
+    direction_changes?: number;
+    proved: boolean;
+    lower_bound: number;
+    /** No number of changes will do. */
+    impossible?: true;
+    spacing: number;
+    maneuver?: ParkManeuver;
+    /** With more changes, each much shorter or ending straighter. */
+    alternatives?: ParkManeuver[];
+}
+
+export interface ParkMapOptions {
+    clearance?: number;
+    curb_clearance?: number;
+    enter?: "backward" | "forward";
+    parked?: { heading?: number; curb?: number };
+    /** Of the lattice; 0 or nothing: 8 cm, or what a small turning circle needs. */
+    spacing?: number;
+    max_changes?: number;
+    /** Of the cars that come along; nothing: the street's. */
+    heading?: number;
+}
+
+export interface MapBounds {
+    where: "free" | "blocked" | "outside";
+    lower_bound: number;
+    impossible: boolean;
+    proved: boolean;
+    /** A maneuver has so many. */
+    direction_changes?: number;
+    /** How it begins. */
+    first?: "forward" | "backward";
+}
+
+/** From every pose, with how few changes the car parks. Call delete() when it is no longer needed. */
+export interface ParkMap {
+    at(pose: Pose): MapBounds;
+    /** Null where none is known, and where the car is parked. */
+    maneuver(pose: Pose): Maneuver | null;
+    /**
+     * At the middles of columns x rows fields, row by row from the least y: lower bounds and demonstrated counts.
+     * -1: outside, -2: the car meets something, 32767: no number will do, or none is known.
+     */
+    slice(
+        heading: number,
+        box: { x_min: number; x_max: number; y_min: number; y_max: number },
+        columns: number,
+        rows: number,
+    ): { lower: Int16Array; upper: Int16Array };
+    readonly fingerprint: string;
+    readonly middle_heading: number;
+    readonly spacing: number;
+    readonly bytes: number;
+    delete(): void;
+}
+
 export interface Snug {
     readonly version: string;
     /** The paper's five cars. */
@@ -221,6 +318,10 @@ export interface Snug {
         gaps: { front: number; curb: number; heading?: number },
         options?: FewestOptions,
     ): LeaveAnswer;
+    /** From anywhere into a street's bay or a scene, with the fewest changes. */
+    park(car: CarLike, place: StreetLike | Scene, options?: ParkOptions): ParkAnswer;
+    /** The same from every pose, swept once. */
+    parkMap(car: CarLike, place: StreetLike | Scene, options?: ParkMapOptions): ParkMap;
     /** How much the slot lacks to hold the car at all. */
     shortfall(car: CarLike, slot: SlotLike, options?: { clearance?: number }): { length: number; width: number };
 }

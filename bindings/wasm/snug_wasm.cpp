@@ -3,11 +3,15 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "snug/io.hpp"
+#include "snug/scene.hpp"
 #include "snug/snug.hpp"
 
 namespace snug {
@@ -227,6 +231,146 @@ val shortfall_question(const val& given_car, const val& given_slot, const val& g
     });
 }
 
+/// A street as `snug park --format json` has it.
+Street street_from(const val& object, const val& options) {
+    Street street;
+    street.length = number(object, "length");
+    street.width = number(object, "width");
+    street.angle = number_given(object, "angle").value_or(0.0);
+    street.road = number_given(object, "road");
+    street.stretch = number_given(object, "stretch").value_or(street.stretch);
+    street.side = second_word(object, "side", "right", "left") ? Side::left : Side::right;
+    if (const std::optional<val> corner = given(object, "corner"))
+        street.corner = {number(*corner, "0"), number(*corner, "1")};
+    street.heading = number_given(object, "heading").value_or(0.0);
+    street.front_setback = number_given(object, "front_setback").value_or(0.0);
+    street.rear_setback = number_given(object, "rear_setback").value_or(0.0);
+    street.curb = second_word(object, "curb", "high", "low") ? Curb::low : Curb::high;
+    const auto shared = common<FewestOptions>(options);
+    street.enter = shared.driving.enter;
+    street.curb_clearance = shared.driving.curb_clearance;
+    street.parked = shared.parked;
+    return street;
+}
+
+/// A scene says which obstacles it has, a street does not.
+std::optional<Scene> scene_from(const val& object) {
+    if (!given(object, "obstacles")) return std::nullopt;
+    return scene_from_json(val::global("JSON").call<val>("stringify", object).as<std::string>(), "scene");
+}
+
+std::optional<Pose> pose_given(const val& object, const char* key) {
+    const std::optional<val> pose = given(object, key);
+    if (!pose) return std::nullopt;
+    return Pose{number(*pose, "x"), number(*pose, "y"), number_given(*pose, "heading").value_or(0.0)};
+}
+
+val park_question(const val& given_car, const val& given_place, const val& given_options) {
+    return answered([&] {
+        const Car car = car_from(given_car);
+        const FewestOptions shared = fewest_options(given_options);
+        ParkOptions options;
+        options.max_changes = shared.max_changes;
+        options.clearance = shared.driving.clearance;
+        options.resolution = shared.resolution;
+        options.time_limit = shared.time_limit;
+        options.roomiest = shared.roomiest;
+        options.progress = shared.progress;
+        const std::optional<Pose> start = pose_given(given_options, "start");
+        if (std::optional<Scene> scene = scene_from(given_place)) {
+            if (start) scene->start = *start;
+            return as_object(park_as_json(car, *scene, options, park(car, scene->place, scene->start, options)));
+        }
+        const Street street = street_from(given_place, given_options);
+        const Pose from = start ? *start : standard_start(street, car);
+        return as_object(park_as_json(car, street, from, options, park(car, street_place(street), from, options)));
+    });
+}
+
+/// From every pose at once. Counts go into JavaScript as whole numbers: -1 outside, -2 where the car meets something,
+/// 32767 where no number will do, or none is known.
+class MapForPage {
+public:
+    explicit MapForPage(ParkMap map) : map_(std::move(map)) {}
+
+    [[nodiscard]] val at(const val& pose) const {
+        return answered([&] {
+            const MapBounds bounds = map_.at(pose_of(pose));
+            constexpr const char* where[] = {"free", "blocked", "outside"};
+            Json json = {{"where", where[bounds.where]},
+                         {"lower_bound", bounds.lower_bound},
+                         {"impossible", bounds.impossible},
+                         {"proved", bounds.proved()}};
+            if (bounds.direction_changes) json["direction_changes"] = *bounds.direction_changes;
+            if (bounds.first) json["first"] = *bounds.first == Direction::forward ? "forward" : "backward";
+            return as_object(json);
+        });
+    }
+    [[nodiscard]] val maneuver(const val& pose) const {
+        return answered([&] {
+            const std::optional<Maneuver> found = map_.maneuver(pose_of(pose));
+            return found ? as_object(as_json(*found)) : val::null();
+        });
+    }
+    /// For one heading, at the middles of columns x rows fields, row by row from the least y: lower bounds and counts.
+    [[nodiscard]] val slice(double heading, const val& box, int columns, int rows) const {
+        return answered([&] {
+            constexpr int most = 4096;
+            if (columns < 1 || rows < 1 || columns > most || rows > most)
+                throw Error("a slice has 1 to 4096 columns and rows");
+            const double x_min = number(box, "x_min"), x_max = number(box, "x_max"), y_min = number(box, "y_min"),
+                         y_max = number(box, "y_max");
+            std::vector<std::int16_t> lower, upper;
+            for (int row = 0; row < rows; ++row) {
+                for (int column = 0; column < columns; ++column) {
+                    const MapBounds bounds = map_.at({x_min + (x_max - x_min) * (column + 0.5) / columns,
+                                                      y_min + (y_max - y_min) * (row + 0.5) / rows, heading});
+                    constexpr std::int16_t more_than_any = 32767, outside = -1, blocked = -2;
+                    const bool is_free = bounds.where == MapBounds::free;
+                    const std::int16_t nothing = bounds.where == MapBounds::outside ? outside : blocked;
+                    lower.push_back(!is_free            ? nothing
+                                    : bounds.impossible ? more_than_any
+                                                        : static_cast<std::int16_t>(bounds.lower_bound));
+                    upper.push_back(!is_free                   ? nothing
+                                    : bounds.direction_changes ? static_cast<std::int16_t>(*bounds.direction_changes)
+                                                               : more_than_any);
+                }
+            }
+            const val array = val::global("Int16Array");
+            val result = val::object();
+            result.set("lower", array.new_(emscripten::typed_memory_view(lower.size(), lower.data())));
+            result.set("upper", array.new_(emscripten::typed_memory_view(upper.size(), upper.data())));
+            return result;
+        });
+    }
+    [[nodiscard]] std::string fingerprint() const { return std::to_string(map_.fingerprint()); }
+    [[nodiscard]] double middle_heading() const { return map_.middle_heading(); }
+    [[nodiscard]] double spacing() const { return map_.spacing(); }
+    [[nodiscard]] double bytes() const { return static_cast<double>(map_.bytes()); }
+
+private:
+    static Pose pose_of(const val& pose) {
+        return {number(pose, "x"), number(pose, "y"), number_given(pose, "heading").value_or(0.0)};
+    }
+    ParkMap map_;
+};
+
+val map_question(const val& given_car, const val& given_place, const val& given_options) {
+    return answered([&] {
+        const Car car = car_from(given_car);
+        ParkMapOptions options;
+        options.spacing = number_given(given_options, "spacing").value_or(0.0);
+        options.clearance = number_given(given_options, "clearance").value_or(0.0);
+        options.max_changes = count_given(given_options, "max_changes").value_or(options.max_changes);
+        options.heading = number_given(given_options, "heading");
+        if (const std::optional<Scene> scene = scene_from(given_place)) {
+            if (!options.heading) options.heading = scene->start.heading;
+            return val(MapForPage(ParkMap(car, scene->place, options)));
+        }
+        return val(MapForPage(ParkMap(car, street_from(given_place, given_options), options)));
+    });
+}
+
 /// A question whose last argument, the options, may be left out.
 template <val (*asked)(const val&, const val&, const val&)>
 void with_options(const char* name) {
@@ -252,6 +396,16 @@ EMSCRIPTEN_BINDINGS(snug) {
     with_options<&fewest_question>("fewest");
     with_options<&leave_question>("leave");
     with_options<&shortfall_question>("shortfall");
+    with_options<&park_question>("park");
+    with_options<&map_question>("parkMap");
+    emscripten::class_<MapForPage>("ParkMap")
+        .function("at", &MapForPage::at)
+        .function("maneuver", &MapForPage::maneuver)
+        .function("slice", &MapForPage::slice)
+        .property("fingerprint", &MapForPage::fingerprint)
+        .property("middle_heading", &MapForPage::middle_heading)
+        .property("spacing", &MapForPage::spacing)
+        .property("bytes", &MapForPage::bytes);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
 #include "snug/park.hpp"
+#include "snug/park_map.hpp"
 #include "snug/scene.hpp"
 #include "snug/slot.hpp"
 
@@ -52,5 +53,9 @@ std::string draw_park(const Car& car, const Street& street, const Pose& start, c
 /// The same in a scene, whose x runs to the right and y upward.
 std::string draw_park(const Car& car, const Scene& scene, const ParkAnswer& answer, PictureFormat format,
                       const PictureOptions& options = {});
+
+/// A street coloured by the number of changes needed from every place in it, for the heading of a car that stands there.
+std::string draw_map(const ParkMap& map, const Street& street, const Pose& start, PictureFormat format);
+std::string draw_map(const ParkMap& map, const Scene& scene, PictureFormat format);
 
 }  // namespace snug

@@ -14,8 +14,8 @@ namespace snug::detail::sets {
 
 namespace {
 
-constexpr double wary = 1e-7;            ///< so much is kept from the ends of intervals: sums are rounded [m]
-constexpr double near_end = 1e-8;        ///< and so much less will do afterwards [m]
+constexpr double wary = 1e-7;                ///< so much is kept from the ends of intervals: sums are rounded [m]
+constexpr double near_end = 1e-8;            ///< and so much less will do afterwards [m]
 constexpr double begin_grid = 1.0 / 1024.0;  ///< to which moves begin, rounded inward, so that sets do not creep [m]
 
 double cosine_of(double sine) { return std::sqrt((1.0 - sine) * (1.0 + sine)); }
@@ -81,8 +81,10 @@ OuterMap::OuterMap(const ChartPlace& place, double h, int most, const Watching& 
     for (const Direction direction : both_directions) {
         std::vector<ByCell<Level>>& mine = direction == Direction::forward ? forward_ : backward_;
         for (std::size_t m = 0; m < layers; ++m)
-            mine.push_back(by_cell<Level>(logs.of(direction)[m], lattice_.free()[m].spans.cells,
-                                          [](const Logged& one, int k) { return Level{one.z, one.w, k}; }));
+            mine.push_back(
+                by_cell<Level>(logs.of(direction)[m], lattice_.free()[m].spans.cells, [](const Logged& one, int k) {
+                    return Level{one.z, one.w, k};
+                }));
     }
 }
 
@@ -161,8 +163,7 @@ InnerMap::InnerMap(const ChartPlace& place, double h, int most, const Watching& 
             if (low + wary > high - wary) continue;
             for (const Interval& free : known(at_node, row, d)) {
                 const Interval both = {std::max(low + wary, free.low), std::min(high - wary, free.high)};
-                if (both.low <= both.high)
-                    parked.push_back({static_cast<std::uint32_t>(index(row, cell_of(d))), both});
+                if (both.low <= both.high) parked.push_back({static_cast<std::uint32_t>(index(row, cell_of(d))), both});
             }
         }
     }
@@ -174,7 +175,8 @@ InnerMap::InnerMap(const ChartPlace& place, double h, int most, const Watching& 
     changed_.resize(nodes);
     for (int k = 0; k <= most; ++k) {
         for (const Direction direction : both_directions) {
-            const std::vector<Logged>& begins = k == 0 ? parked : logs.of(other(direction))[static_cast<std::size_t>(k) - 1];
+            const std::vector<Logged>& begins =
+                k == 0 ? parked : logs.of(other(direction))[static_cast<std::size_t>(k) - 1];
             std::vector<Logged> log = sweep(begins, direction, sets[direction == Direction::forward ? 0 : 1], watch);
             logs.of(direction).push_back(std::move(log));
         }
@@ -226,9 +228,10 @@ std::vector<Band> InnerMap::measure_columns(const Watching& watch) {
             return bands_at(swept, 0.0);
         };
         const auto at = [&](int column) { return level_[static_cast<std::size_t>(column - first_column_)]; };
-        const bool has_left = d < last_column_, has_right = d > first_column_;
+        const bool has_left = d<last_column_, has_right = d> first_column_;
         const double up_left = has_left ? at(d) - at(d + 1) : 0.0, up_right = has_right ? at(d - 1) - at(d) : 0.0;
-        const Pose left_side = {h_ / 2.0, up_left, heading + after}, right_side = {h_ / 2.0, up_right, heading - before};
+        const Pose left_side = {h_ / 2.0, up_left, heading + after},
+                   right_side = {h_ / 2.0, up_right, heading - before};
         if (has_left) measure(to_left, d, sweeps({start, left_side}, after, 1.0));
         if (has_right) measure(to_right, d, sweeps({start, right_side}, before, -1.0));
         const Pose one = {h_, 2.0 * up_left, heading}, two = {h_, 2.0 * up_right, heading};
@@ -324,9 +327,7 @@ std::vector<InnerMap::Logged> InnerMap::sweep(const std::vector<Logged>& begins,
         const auto cover = [&](int from, int to) {
             led = led.empty() ? Span{from, to, 0} : Span{std::min(led.from, from), std::max(led.to, to), 0};
         };
-        const auto cell_in_row = [&](std::size_t i) {
-            return static_cast<int>(begins[i].node % width_) + first_cell_;
-        };
+        const auto cell_in_row = [&](std::size_t i) { return static_cast<int>(begins[i].node % width_) + first_cell_; };
         if (part.from < part.to) cover(cell_in_row(part.from), cell_in_row(part.to - 1));
         if (!live_before.empty()) cover(live_before.from - 1, live_before.to + 1);
         if (!live_before_that.empty()) cover(live_before_that.from, live_before_that.to);
@@ -360,8 +361,8 @@ std::vector<InnerMap::Logged> InnerMap::sweep(const std::vector<Logged>& begins,
             // From the column to the left the car keeps y + r cos forward, from the right y - r cos; backward the reverse.
             // Only where the whole step is free: seen from the end at which forward it begins.
             const auto add_step = [&](const InnerSet::Few& from, Kind kind, int column, double least, double most) {
-                const InnerSet::Range free = forward ? known(kind, kind == across ? row - 2 : row - 1, column)
-                                                     : known(kind, row, d);
+                const InnerSet::Range free =
+                    forward ? known(kind, kind == across ? row - 2 : row - 1, column) : known(kind, row, d);
                 for (std::uint32_t i = from.begin; i < from.begin + from.count; ++i) {
                     const Interval& of = reached_[i];
                     for (const Interval& gap : free) {
@@ -446,7 +447,8 @@ bool InnerMap::is_apart(const Moved& from, const Moved& to, double side) const {
         return most + off * angles::hypot(n.x, n.y) * angles::hypot(one.x - about.x, one.y - about.y);
     };
     for (const HalfPlane& edge : place_.region)
-        if (most_along(edge.normal, {from.at.x, from.at.y}, {to.at.x, to.at.y}, centre) > edge.offset + touch) return false;
+        if (most_along(edge.normal, {from.at.x, from.at.y}, {to.at.x, to.at.y}, centre) > edge.offset + touch)
+            return false;
     for (const ChartPlace::Solid& solid : place_.solids) {
         const std::vector<Point>& shape = place_.shapes[solid.stops];
         // Along a direction in the world the whole car stays short of the whole solid.
@@ -527,7 +529,8 @@ std::optional<Joining> InnerMap::joining(const Pose& pose) const {
         const Joining& one = tries[k].joining;
         const double last = one.sines[2];
         const Moved node = {{x(one.node.row), one.node.y, angles::asin(last)}, last, cosine_of(last)};
-        if (is_apart(here, tries[k].middle, one.first_side) && is_apart(tries[k].middle, node, -one.first_side)) return one;
+        if (is_apart(here, tries[k].middle, one.first_side) && is_apart(tries[k].middle, node, -one.first_side))
+            return one;
     }
     return std::nullopt;
 }
@@ -617,7 +620,8 @@ std::vector<Path> InnerMap::way(const Pose& start, const Joining& joining) const
 }
 
 std::size_t InnerMap::bytes() const {
-    std::size_t sum = bytes_of(forward_) + bytes_of(backward_) + bytes_of(parked_) + intervals_.size() * sizeof(Interval);
+    std::size_t sum =
+        bytes_of(forward_) + bytes_of(backward_) + bytes_of(parked_) + intervals_.size() * sizeof(Interval);
     for (const std::vector<InnerSet::Few>& free : free_) sum += free.size() * sizeof(InnerSet::Few);
     return sum;
 }

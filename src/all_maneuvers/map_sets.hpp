@@ -59,7 +59,7 @@ struct Joining {
     int changes = 0;
     Direction direction = Direction::forward;  ///< of the car parking
     At node;
-    double sines[3] = {};    ///< of the heading: at the pose, where the first arc ends, at the node
+    double sines[3] = {};     ///< of the heading: at the pose, where the first arc ends, at the node
     double first_side = 1.0;  ///< of the first arc; the second is of the other
 };
 

@@ -112,7 +112,8 @@ bool is_parked(const ChartPlace& place, const Pose& pose) {
             least = most = n.x * pose.x + n.y * pose.y;
         } else {
             for (const Point& p : place.frame) {
-                const double reach = n.x * (pose.x + p.x * cosine - p.y * sine) + n.y * (pose.y + p.x * sine + p.y * cosine);
+                const double reach =
+                    n.x * (pose.x + p.x * cosine - p.y * sine) + n.y * (pose.y + p.x * sine + p.y * cosine);
                 least = std::min(least, reach);
                 most = std::max(most, reach);
             }

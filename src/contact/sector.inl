@@ -45,8 +45,8 @@ struct AtStart {
 };
 
 /// First contact while turning clockwise, from the heading (c, s). What touches already and would move in is met at once;
-/// what touches and moves away, or along, is not met.
-template <class N>
+/// what touches and moves away, or along, is not met. `Found` keeps what is to be known of the contacts.
+template <class N, class Found>
 struct First {
     using Real = typename N::Real;
     using Mask = typename N::Mask;
@@ -55,7 +55,7 @@ struct First {
     Real end_order;  ///< of the sector
     Real c, s;       ///< of the first contact
     Real order;      ///< s - c falls with the heading: the first contact has the largest; -2 if there is none
-    Found found;     ///< what it is, where there is one lane only
+    Found found;
 
     SNUG_INLINE First(Real from_c, Real from_s, Real end)
         : start_c(from_c),
@@ -81,18 +81,14 @@ struct First {
         const Mask ahead = N::both(N::least(N::least(at.s, at.c), later) >= N::set(0.0), at_order >= end_order);
         const Mask met = N::both(possible, N::either(touches, N::both(N::opposite(slips_off), ahead)));
         if (N::none(met)) return;
-        if constexpr (N::alone) found.ahead |= bit_of(meets);
+        found.lies_ahead(met, meets);
         const Real met_order = N::select(touches, start_order, at_order);
         const Mask earlier = N::both(met, met_order > order);
         if (N::none(earlier)) return;
         c = N::select(earlier, at.c, c);
         s = N::select(earlier, at.s, s);
         order = N::select(earlier, met_order, order);
-        if constexpr (N::alone) {
-            found.across = at.across;
-            found.meets = meets;
-            found.part = part;
-        }
+        found.is_first(earlier, at.across, meets, part);
     }
 
     /// A corner of the car meets the upright side of a neighbour, to the right (sign 1) or to the left (sign -1).

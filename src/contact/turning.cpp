@@ -245,7 +245,7 @@ FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const P
                         int quarter, double c, double s) {
     const Surroundings<double> around = {
         x, y, problem.length, y + problem.width, y + problem.front_setback, y + problem.rear_setback, problem.touch};
-    First<Plain<double>> first(c, s, sector.end_order);
+    First<Plain<double>, Found> first(c, s, sector.end_order);
     first.corners_meet(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around,
                        {sector.reaches_right >= -x, sector.reaches_left >= x + problem.length,
                         sector.reaches_down >= around.above_curb});

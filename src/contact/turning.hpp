@@ -46,6 +46,13 @@ struct Found {
     Meets meets = Meets::nothing;
     unsigned ahead = 0;  ///< bits of everything that would be met in this sector, were nothing else in the way
     int part = -1;       ///< which corner or edge it is, by its index in the outline
+
+    void lies_ahead(bool, Meets what) { ahead |= bit_of(what); }
+    void is_first(bool, double of_across, Meets what, int of_part) {
+        across = of_across;
+        meets = what;
+        part = of_part;
+    }
 };
 
 #define SNUG_INLINE inline

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -32,28 +33,50 @@ struct FullSteering {
     }
 };
 
-/// What one move did.
+/// What one move did. Nothing is filled in until it is driven.
 struct FullMove {
-    Meets meets = Meets::nothing;
-    int part = -1;             ///< which corner or edge, by its index in the outline
-    int quarter = 0;           ///< in which quarter turn the move ended
-    unsigned ahead = 0;        ///< see Found
-    bool stuck = false;        ///< it had no length
-    double depth = 0.0;        ///< D_n: by how little the car misses being parked during the move: how high the frame's
-                               ///< highest corner is at least, or what else counts as parked [m]
-    double depth_slope = 0.0;  ///< d depth / d entry heading
-    double end_slope = 0.0;    ///< d heading at the end / d entry heading
+    Meets meets;  ///< nothing: a full circle
+    bool backward;
+    bool stuck;               ///< it had no length
+    std::uint8_t ahead;       ///< see Found
+    int quarter;              ///< in which quarter turn the move ended
+    std::int16_t part;        ///< which corner or edge, by its index in the outline
+    std::int16_t sector;      ///< of that quarter
+    double depth;             ///< D_n: by how little the car misses being parked during the move: how high the frame's
+                              ///< highest corner is at least, or what else counts as parked [m]
+    double depth_slope;       ///< d depth / d entry heading; this and what follows only where slopes are asked for
+    double x, y;              ///< of the turning centre [m]
+    double x_slope, y_slope;  ///< with the entry heading
     /// How high above the curb the lowest corner's circle ends, in the first and the second quarter turn (negative: the
-    /// corner meets the curb) [m]; NaN where the move does not sweep that point.
-    std::array<double, 2> graze = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-    double graze_slope = 0.0;  ///< d graze / d entry heading, for both
-    /// Backward in the second quarter turn, tail up: how high the leftmost corner crosses the rear side, and how far
-    /// behind the front corner of the slot the lowest corner sinks below the neighbour's top [m]; NaN where it does not.
-    double tail_clears = std::numeric_limits<double>::quiet_NaN();
-    double nose_clears = std::numeric_limits<double>::quiet_NaN();
-    double tail_slope = 0.0;  ///< their slopes
-    double nose_slope = 0.0;
+    /// corner meets the curb) [m]; NaN where the move does not sweep that point. Its slope is that of y.
+    std::array<double, 2> graze;
 };
+
+/// Backward in the second quarter turn, tail up: how high the leftmost corner crosses the rear side, and how far behind the
+/// front corner of the slot the lowest corner sinks below the neighbour's top [m]; NaN where it does not.
+struct Clearings {
+    double tail = std::numeric_limits<double>::quiet_NaN();
+    double nose = std::numeric_limits<double>::quiet_NaN();
+    double tail_slope = 0.0, nose_slope = 0.0;
+};
+inline Clearings clearings(const FullSteering& steering, const FullMove& move) {
+    Clearings clears;
+    if (!move.backward || move.meets == Meets::nothing || move.quarter != 1) return clears;
+    const Sector& sector = steering.backward.at(1, move.sector);
+    const double tail_along = -steering.problem.length - move.x;
+    const Root<double> tail = root<Plain<double>>(corner_on_wall<Plain<double>, -1>(sector.leftmost, tail_along));
+    if (tail.s >= 0.0 && tail.c >= 0.0) {
+        clears.tail = move.y + steering.problem.rear_setback - tail.across;
+        clears.tail_slope = move.y_slope - move.x_slope * tail_along / tail.across;
+    }
+    const double above_front = move.y + steering.problem.front_setback;
+    const Root<double> nose = root<Plain<double>>(corner_on_ground<Plain<double>>(sector.lowest, above_front));
+    if (nose.s >= 0.0 && nose.c >= 0.0) {
+        clears.nose = move.x + nose.across;
+        clears.nose_slope = move.x_slope - move.y_slope * above_front / nose.across;
+    }
+    return clears;
+}
 
 /// The car between two moves (or at its entry position).
 class FullSteeringRun {
@@ -88,6 +111,9 @@ public:
     /// Turning centre of the next move. [m]
     [[nodiscard]] double x() const { return x_; }
     [[nodiscard]] double y() const { return y_; }
+    /// How it changes with the entry heading. [m]
+    [[nodiscard]] double x_slope() const { return x_slope_; }
+    [[nodiscard]] double y_slope() const { return y_slope_; }
 
     template <bool Slope>
     FullMove drive() {
@@ -106,8 +132,17 @@ public:
         QuarterHeading now = {heading_.c, heading_.s, heading_.quarter};
         int index = sector_;
         const Sector* sector = &frame.at(now.quarter, index);
+        move.backward = backward_;
+        move.stuck = false;
         move.depth = height_of(sector->top, y_, now.c, now.s);
-        if constexpr (Slope) move.depth_slope = y_slope_ + slope_of_height(sector->top, now) * heading_slope_;
+        if constexpr (Slope) {
+            move.depth_slope = y_slope_ + slope_of_height(sector->top, now) * heading_slope_;
+            move.x = x_;
+            move.y = y_;
+            move.x_slope = x_slope_;
+            move.y_slope = y_slope_;
+            move.graze.fill(std::numeric_limits<double>::quiet_NaN());
+        }
         for (int sectors = 0;; ++sectors) {
             const FoundAt first =
                 first_in_sector(frame, *sector, steering_->problem, x_, y_, now.quarter, now.c, now.s);
@@ -115,13 +150,13 @@ public:
             // A full circle ends where it began, whatever rounding makes of touching there.
             const bool full_circle = sectors == around && first.order < heading_.order() + 1e-4;
             const bool met = contact.meets != Meets::nothing && !full_circle;
-            if constexpr (Slope) note_graze(*sector, now, met ? contact.meets : Meets::nothing, first.order, move);
+            move.meets = met ? contact.meets : Meets::nothing;
+            if constexpr (Slope) note_graze(*sector, now, move.meets, first.order, move);
             if (sector->dip_order <= now.order() && !(met && first.order > sector->dip_order))
                 note_depth(y_ - sector->top.radius, y_slope_, move);
             if (met) {
-                move.meets = contact.meets;
-                move.ahead = contact.ahead;
-                move.part = contact.part;
+                move.ahead = static_cast<std::uint8_t>(contact.ahead);
+                move.part = static_cast<std::int16_t>(contact.part);
                 move.stuck = sectors == 0 && first.order == heading_.order();  // and the heading stays as it is
                 if (!move.stuck) {
                     now.c = first.c;
@@ -144,6 +179,7 @@ public:
             sector = &frame.at(now.quarter, index);
         }
         move.quarter = now.quarter;
+        move.sector = static_cast<std::int16_t>(index);
         const bool met = move.meets != Meets::nothing;
         if (met) {
             const double height = height_of(sector->top, y_, now.c, now.s);
@@ -154,12 +190,7 @@ public:
         }
         if (!steering_->height_decides) miss_parking(frame, now, met, end_slope, move);
         if (!met) return;
-        if constexpr (Slope) {
-            move.end_slope = end_slope;
-            move.graze_slope = y_slope_;
-            if (backward_ && now.quarter == 1) note_clearings(*sector, move);
-            heading_slope_ = end_slope;
-        }
+        if constexpr (Slope) heading_slope_ = end_slope;
         sector_ = index;
         turn_over(now);
     }
@@ -206,23 +237,6 @@ private:
         if (from.quarter < 0 || from.quarter > 1 || sector.graze_order > from.order()) return;
         if (meets != Meets::nothing && meets != Meets::curb && order > sector.graze_order) return;
         move.graze[static_cast<std::size_t>(from.quarter)] = y_ + steering_->problem.width - sector.at_curb.radius;
-    }
-
-    void note_clearings(const Sector& sector, FullMove& move) const {
-        const double above_rear = y_ + steering_->problem.rear_setback;
-        const double tail_along = -steering_->problem.length - x_;
-        const Crossing<double> tail = corner_on_wall<Plain<double>, -1>(sector.leftmost, tail_along);
-        const Root<double> tail_at = root<Plain<double>>(tail);
-        if (tail_at.s >= 0.0 && tail_at.c >= 0.0) {
-            move.tail_clears = above_rear - tail_at.across;
-            move.tail_slope = y_slope_ - x_slope_ * tail_along / tail_at.across;
-        }
-        const double above_front = y_ + steering_->problem.front_setback;
-        const Root<double> nose_at = root<Plain<double>>(corner_on_ground<Plain<double>>(sector.lowest, above_front));
-        if (nose_at.s >= 0.0 && nose_at.c >= 0.0) {
-            move.nose_clears = x_ + nose_at.across;
-            move.nose_slope = x_slope_ - y_slope_ * above_front / nose_at.across;
-        }
     }
 
     void turn_over(const QuarterHeading& now) {

@@ -7,7 +7,8 @@
 //   - at every jump, located to the last bit as the root of the grazing height (or by bisection),
 //   - at every root of D_n, located the same way,
 //   - wherever D_n or a grazing height falls on the left and rises on the right steeply enough to reach zero between,
-// until both ends of every piece tell its whole story.
+// until both ends of every piece tell its whole story. A split takes one run of the strategy after the other; several pieces
+// go through theirs in rounds, so that the runs of a round can be driven side by side.
 #include "full_steering/heading_ranges.hpp"
 
 #include <algorithm>
@@ -16,6 +17,8 @@
 #include <limits>
 #include <utility>
 
+#include "full_steering/follow.hpp"
+
 namespace snug::detail {
 
 namespace {
@@ -23,7 +26,8 @@ namespace {
 constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double least_gap = 1e-13;  ///< between the two sides of a root; beyond rounding, short of any range [rad]
 constexpr std::size_t most_moves = 30'000'000;
-constexpr int never = std::numeric_limits<int>::max();
+constexpr std::size_t side_by_side = 16;      ///< pieces under way: with fewer, lanes are left empty; more take memory
+constexpr std::size_t room_for_moves = 2048;  ///< at first
 
 /// What `move` met, and what else it may come to meet in a quarter turn without a jump: the car rolls from an edge onto
 /// the corner at its end and back. Only the tail that swings up behind the rear corner does not roll, it flies.
@@ -50,7 +54,8 @@ struct Sample {
 /// zero for how much it moves, if it plainly rises or falls, or if its tangents, made four times as steep, meet above
 /// zero. (Beyond a jump slopes are infinite, so straight lines alone would not do.) With a kink between, where another
 /// slope begins, the lesser value must exceed the steepest change known.
-bool stays_positive(const Sample& left, const Sample& right, double width, bool smooth) {
+inline __attribute__((always_inline)) bool stays_positive(const Sample& left, const Sample& right, double width,
+                                                          bool smooth) {
     const double change = right.value - left.value;
     const double gentle = std::min(std::abs(left.slope), std::abs(right.slope)) * width;
     const double steep = std::max(std::abs(left.slope), std::abs(right.slope)) * width;
@@ -72,9 +77,11 @@ bool stays_positive(const Sample& left, const Sample& right, double width, bool 
 }
 
 /// The same for a function that has the same sign at both ends.
-bool keeps_sign(const Sample& left, const Sample& right, double width, bool smooth) {
-    if (left.value > 0.0) return stays_positive(left, right, width, smooth);
-    return stays_positive({-left.value, -left.slope}, {-right.value, -right.slope}, width, smooth);
+inline __attribute__((always_inline)) bool keeps_sign(const Sample& left, const Sample& right, double width,
+                                                      bool smooth) {
+    const double sign = left.value > 0.0 ? 1.0 : -1.0;
+    return stays_positive({sign * left.value, sign * left.slope}, {sign * right.value, sign * right.slope}, width,
+                          smooth);
 }
 
 /// Where between two values of opposite sign the root is to be expected, from 0 to 1: the heading as a cubic of the value.
@@ -89,102 +96,203 @@ double root_between(const Sample& left, const Sample& right, double width) {
 class Search {
 public:
     Search(const FullSteering& steering, int max_changes, Find find, const Progress& progress)
-        : steering_(steering), limit_(max_changes), find_(find), progress_(progress) {}
+        : steering_(steering),
+          runs_{steering, in_vectors(steering), max_changes, find == Find::fewest},
+          find_(find),
+          progress_(progress) {}
 
     std::vector<CountedHeadings> run() {
         for (const Headings& headings : possible_headings(steering_.problem, steering_.entry)) search(headings);
         if (given_up_) return {};
         std::vector<CountedHeadings> ranges = constant_ranges();
         if (find_ == Find::fewest)
-            std::erase_if(ranges, [this](const CountedHeadings& range) { return range.changes != limit_; });
+            std::erase_if(ranges, [this](const CountedHeadings& range) { return range.changes != runs_.limit; });
         return ranges;
     }
 
-    [[nodiscard]] SearchWork work() const { return {moves_driven_, !given_up_ && moves_driven_ <= most_moves}; }
+    [[nodiscard]] SearchWork work() const { return {runs_.driven, !given_up_ && runs_.driven <= most_moves}; }
 
 private:
-    /// One run of the strategy: `count` moves in moves_ from `first`.
-    struct Run {
-        double heading = 0.0;
-        std::size_t first = 0;
-        std::size_t count = 0;
-        int changes = never;
-    };
     struct Leaf {
         double heading;
         int changes;
     };
+    using Quantity = Sample (*)(const FullSteering&, const FullMove&);
+
+    /// A root of a quantity of move n, as far as it is known.
+    struct Root {
+        std::size_t n = 0;
+        Quantity quantity = nullptr;
+        double a = 0.0, b = 0.0;  ///< it lies between
+        Sample at_a, at_b;
+        bool left_is_out = false;
+        double two_ago = 0.0, one_ago = 0.0;  ///< how far apart a and b were
+        int steps = 0;
+        bool nearly_there = false;  ///< the run asked for may be one of these two
+        Run before, after;          ///< those at a and b; no moves: not driven yet
+    };
+    struct Interval {
+        Run left, right;
+    };
+    enum class Asks { nothing, middle, step, sides };
+    /// An interval of headings, and what it has asked for to be split.
+    struct Piece : Interval {
+        Asks asks = Asks::nothing;
+        double middle = 0.0;  ///< where to split it
+        std::size_t asked = 0;
+        Root root = {};
+    };
 
     void search(const Headings& headings) {
         constexpr int cells = 48;
-        moves_.clear();
-        moves_.reserve(1024);
-        std::vector<Run> grid;
-        grid.reserve(cells + 1);
+        runs_.moves.clear();
+        runs_.moves.reserve(room_for_moves);
+        asked_.clear();
+        asked_.reserve(cells + 1);
+        pieces_.reserve(2 * cells);
+        under_way_.reserve(side_by_side);
+        leaves_.reserve(4 * cells);
         for (int i = 0; i <= cells; ++i) {
             const double part = static_cast<double>(i) / cells;
-            grid.push_back(follow(headings.min + (headings.max - headings.min) * part, limit_));
+            ask(headings.min + (headings.max - headings.min) * part);
             if (headings.max == headings.min) break;
         }
-        for (std::size_t i = 0; i + 1 < grid.size(); ++i) explore(grid[i], grid[i + 1]);
-        emit(grid.back());
+        drive_asked();
+        const std::size_t first_leaf = leaves_.size();
+        for (std::size_t i = asked_.size() - 1; i > 0; --i) pieces_.push_back({asked_[i - 1], asked_[i]});
+        emit(asked_.back());
+        while (!pieces_.empty() || !under_way_.empty()) round();
+        std::sort(leaves_.begin() + static_cast<std::ptrdiff_t>(first_leaf), leaves_.end(),
+                  [](const Leaf& a, const Leaf& b) { return a.heading < b.heading; });
         leaves_.push_back({std::numeric_limits<double>::quiet_NaN(), never});  // ranges end here
     }
 
-    Run follow(double heading, int last_move) {
-        Run run;
-        run.heading = heading;
-        run.first = moves_.size();
-        FullSteeringRun car(steering_, heading);
-        for (int n = 0; n <= last_move; ++n) {
-            FullMove& move = moves_.emplace_back();
-            car.drive<true>(move);
-            if (move.depth <= 0.0) {
-                run.changes = n;
-                found_ = true;
-                if (find_ == Find::fewest) limit_ = std::min(limit_, n);
-                break;
-            }
-            if (ended(run)) break;
+    /// Takes the pieces under way one run further, and with them the next ones from the left.
+    void round() {
+        throw_away();
+        asked_.clear();
+        std::erase_if(under_way_, [this](Piece& piece) { return !ask_for(piece); });
+        // Whoever wants any heading gets the first from the left.
+        while (under_way_.size() < (find_ == Find::any ? 1 : side_by_side) && !pieces_.empty()) {
+            Piece piece = {pieces_.back()};
+            pieces_.pop_back();
+            if (ask_for(piece)) under_way_.push_back(piece);
         }
-        run.count = moves_.size() - run.first;
-        moves_driven_ += run.count;
-        return run;
+        drive_asked();
+        std::erase_if(under_way_, [this](Piece& piece) { return take(piece); });
+    }
+
+    void ask(double heading) { asked_.push_back({heading, runs_.limit}); }
+
+    void drive_asked() {
+        if (asked_.empty()) return;
+        runs_.drive(asked_);
+        for (const Run& run : asked_) found_ = found_ || run.changes != never;
+    }
+
+    /// Asks for the next run that a piece needs; false if it needs no more.
+    bool ask_for(Piece& piece) {
+        piece.asked = asked_.size();
+        if (piece.asks == Asks::middle) {
+            ask(piece.middle);
+        } else if (piece.asks == Asks::step && interests(piece.root)) {
+            step_to_root(piece);
+        } else {
+            explore(piece);
+        }
+        return asked_.size() > piece.asked;
+    }
+
+    /// Takes the run that a piece has asked for; true if that splits it.
+    bool take(Piece& piece) {
+        const Run& first = asked_[piece.asked];
+        Root& root = piece.root;
+        if (piece.asks == Asks::middle) {
+            pieces_.push_back({first, piece.right});
+            pieces_.push_back({piece.left, first});
+            return true;
+        }
+        if (piece.asks == Asks::sides) {
+            const Run& last = asked_[piece.asked + (root.before.count == 0 && root.after.count == 0 ? 1 : 0)];
+            if (root.before.count == 0) root.before = first;
+            if (root.after.count == 0) root.after = last;
+            split_beside_root(piece);
+            return true;
+        }
+        if (interests(root)) take_step(piece, first);
+        return false;
+    }
+
+    /// A limit that has fallen makes the root of a later move uninteresting; its piece is looked at again.
+    [[nodiscard]] bool interests(const Root& root) const { return static_cast<int>(root.n) <= runs_.limit; }
+
+    /// Throws away the moves of runs that no piece needs, when room gets scarce.
+    void throw_away() {
+        if (runs_.moves.size() < runs_.moves.capacity() / 4 * 3) return;
+        std::vector<Run*> needed;
+        const auto need = [&](Run& run) {
+            if (run.count != 0) needed.push_back(&run);
+        };
+        for (Interval& piece : pieces_) {
+            need(piece.left);
+            need(piece.right);
+        }
+        for (Piece& piece : under_way_) {
+            need(piece.left);
+            need(piece.right);
+            need(piece.root.before);
+            need(piece.root.after);
+        }
+        std::sort(needed.begin(), needed.end(), [](const Run* a, const Run* b) { return a->first < b->first; });
+        std::size_t end = 0;
+        std::size_t first = std::numeric_limits<std::size_t>::max();  // of the last one moved, before
+        for (Run* run : needed) {
+            if (run->first != first) {
+                first = run->first;
+                const auto from = runs_.moves.begin() + static_cast<std::ptrdiff_t>(first);
+                std::copy_n(from, run->count, runs_.moves.begin() + static_cast<std::ptrdiff_t>(end));
+                end += run->count;
+            }
+            run->first = end - run->count;
+        }
+        runs_.moves.resize(end);
+        if (end > runs_.moves.capacity() / 2) runs_.moves.reserve(2 * runs_.moves.capacity());
     }
 
     /// Is there no need, or no use, to look any closer?
     bool done(const Run& at) {
-        if (progress_ && moves_driven_ >= next_report_) {
-            next_report_ = moves_driven_ + 1'000'000;
+        if (progress_ && runs_.driven >= next_report_) {
+            next_report_ = runs_.driven + 1'000'000;
             if (!progress_(at.heading / quarter_turn)) given_up_ = true;
         }
-        return given_up_ || (find_ == Find::any && found_) || moves_driven_ > most_moves;
-    }
-
-    /// Nothing new can come: the car circles freely, or is stuck both ways.
-    [[nodiscard]] bool ended(const Run& run) const {
-        const std::size_t count = moves_.size() - run.first;
-        const FullMove& last = moves_.back();
-        return last.meets == Meets::nothing || (last.stuck && count > 1 && moves_[moves_.size() - 2].stuck);
+        return given_up_ || (find_ == Find::any && found_) || runs_.driven > most_moves;
     }
 
     /// Move n of a run; a run that ended repeats its last two moves. (Moves without length are the limit of the shorter
     /// and shorter moves of neighbouring headings.)
     [[nodiscard]] const FullMove& move(const Run& run, std::size_t n) const {
-        if (n < run.count) return moves_[run.first + n];
-        const bool stuck = moves_[run.first + run.count - 1].stuck && run.count > 1;
-        return moves_[run.first + run.count - (stuck && (n - run.count) % 2 == 0 ? 2 : 1)];
+        if (n < run.count) return runs_.moves[run.first + n];
+        const bool stuck = runs_.moves[run.first + run.count - 1].stuck && run.count > 1;
+        return runs_.moves[run.first + run.count - (stuck && (n - run.count) % 2 == 0 ? 2 : 1)];
     }
 
-    [[nodiscard]] static Sample depth(const FullMove& move) { return {move.depth, move.depth_slope}; }
-    [[nodiscard]] static Sample first_graze(const FullMove& move) { return {move.graze[0], move.graze_slope}; }
-    [[nodiscard]] static Sample second_graze(const FullMove& move) { return {move.graze[1], move.graze_slope}; }
+    static Sample depth(const FullSteering&, const FullMove& move) { return {move.depth, move.depth_slope}; }
+    static Sample first_graze(const FullSteering&, const FullMove& move) { return {move.graze[0], move.y_slope}; }
+    static Sample second_graze(const FullSteering&, const FullMove& move) { return {move.graze[1], move.y_slope}; }
+    static Sample tail_clears(const FullSteering& steering, const FullMove& move) {
+        const Clearings clears = clearings(steering, move);
+        return {clears.tail, clears.tail_slope};
+    }
+    static Sample nose_clears(const FullSteering& steering, const FullMove& move) {
+        const Clearings clears = clearings(steering, move);
+        return {clears.nose, clears.nose_slope};
+    }
 
-    [[nodiscard]] static Sample tail_clears(const FullMove& move) { return {move.tail_clears, move.tail_slope}; }
-    [[nodiscard]] static Sample nose_clears(const FullMove& move) { return {move.nose_clears, move.nose_slope}; }
-
-    /// Splits the interval until its ends tell all.
-    void explore(const Run& left, const Run& right) {
+    /// Finishes a piece, or asks for what splits it until its ends tell all.
+    void explore(Piece& piece) {
+        piece.asks = Asks::nothing;
+        const Run& left = piece.left;
+        const Run& right = piece.right;
         const double width = right.heading - left.heading;
         if (done(left)) {
             emit(left);
@@ -195,7 +303,8 @@ private:
             emit(left);
             return;
         }
-        const std::size_t moves = std::min(static_cast<std::size_t>(limit_) + 1, std::max(left.count, right.count));
+        const std::size_t moves =
+            std::min(static_cast<std::size_t>(runs_.limit) + 1, std::max(left.count, right.count));
         bool smooth = true;  // a kink in one move is one in all that follow
         for (std::size_t n = 0; n < moves; ++n) {
             const FullMove& a = move(left, n);
@@ -204,24 +313,25 @@ private:
             smooth = smooth && alike && a.part == b.part;
             const double first = a.graze[0] * b.graze[0];  // NaN unless both moves sweep that point
             const double second = a.graze[1] * b.graze[1];
-            if (first < 0.0) return split_at_root(left, right, n, first_graze);
-            if (second < 0.0) return split_at_root(left, right, n, second_graze);
+            if (first < 0.0) return seek_root(piece, n, first_graze);
+            if (second < 0.0) return seek_root(piece, n, second_graze);
             if (!alike && jump_between(a, b)) {
-                if (a.tail_clears * b.tail_clears < 0.0) return split_at_root(left, right, n, tail_clears);
-                if (a.nose_clears * b.nose_clears < 0.0) return split_at_root(left, right, n, nose_clears);
-                return split(left, right, 0.5);
+                for (const Quantity clears : {tail_clears, nose_clears})
+                    if (clears(steering_, a).value * clears(steering_, b).value < 0.0)
+                        return seek_root(piece, n, clears);
+                return split(piece, 0.5);
             }
-            if (first > 0.0 && !keeps_sign(first_graze(a), first_graze(b), width, smooth))
-                return split_within(left, right, first_graze(a), first_graze(b), smooth);
-            if (second > 0.0 && !keeps_sign(second_graze(a), second_graze(b), width, smooth))
-                return split_within(left, right, second_graze(a), second_graze(b), smooth);
-            if ((a.depth <= 0.0) != (b.depth <= 0.0)) return split_at_root(left, right, n, depth);
-            if (!keeps_sign(depth(a), depth(b), width, smooth))
-                return split_within(left, right, depth(a), depth(b), smooth);
+            if (first > 0.0 && !keeps_sign(first_graze(steering_, a), first_graze(steering_, b), width, smooth))
+                return split_within(piece, first_graze(steering_, a), first_graze(steering_, b), smooth);
+            if (second > 0.0 && !keeps_sign(second_graze(steering_, a), second_graze(steering_, b), width, smooth))
+                return split_within(piece, second_graze(steering_, a), second_graze(steering_, b), smooth);
+            if ((a.depth <= 0.0) != (b.depth <= 0.0)) return seek_root(piece, n, depth);
+            if (!keeps_sign(depth(steering_, a), depth(steering_, b), width, smooth))
+                return split_within(piece, depth(steering_, a), depth(steering_, b), smooth);
             if (a.depth <= 0.0) break;
             const double steepest = std::max(std::abs(a.depth_slope), std::abs(b.depth_slope));
             if (!(std::abs(a.depth - b.depth) <= 4.0 * steepest * width + 1e-12 * steering_.problem.length))
-                return split(left, right, 0.5);  // a jump nothing else told of
+                return split(piece, 0.5);  // a jump nothing else told of
         }
         emit(left);
     }
@@ -237,96 +347,106 @@ private:
         return early.quarter == late.quarter && (same_obstacle(late, early.quarter) & early.ahead) == 0;
     }
 
-    void split(const Run& left, const Run& right, double part) {
-        const std::size_t mark = moves_.size();
-        double at = left.heading + (right.heading - left.heading) * part;
-        if (!(at > left.heading && at < right.heading)) at = left.heading + (right.heading - left.heading) * 0.5;
-        const Run middle = follow(at, limit_);
-        explore(left, middle);
-        explore(middle, right);
-        moves_.resize(mark);
+    void split(Piece& piece, double part) {
+        split_later(piece, part);
+        ask(piece.middle);
+    }
+
+    static void split_later(Piece& piece, double part) {
+        const double left = piece.left.heading;
+        const double right = piece.right.heading;
+        piece.middle = left + (right - left) * part;
+        if (!(piece.middle > left && piece.middle < right)) piece.middle = left + (right - left) * 0.5;
+        piece.asks = Asks::middle;
     }
 
     /// Where the tangents meet if there may be a kink; at the lowest point of a parabola with these slopes; or else nearer
     /// to the steeper end.
-    void split_within(const Run& left, const Run& right, const Sample& a, const Sample& b, bool smooth) {
+    void split_within(Piece& piece, const Sample& a, const Sample& b, bool smooth) {
         double part = std::abs(a.slope) > std::abs(b.slope) ? 0.3 : 0.7;
-        const double meet = ((b.value - a.value) / (right.heading - left.heading) - b.slope) / (a.slope - b.slope);
+        const double width = piece.right.heading - piece.left.heading;
+        const double meet = ((b.value - a.value) / width - b.slope) / (a.slope - b.slope);
         if (!smooth && meet > 0.0 && meet < 1.0) {
             part = std::clamp(meet, 0.02, 0.98);
         } else if (a.value * a.slope < 0.0 && b.value * b.slope > 0.0 && std::isfinite(a.slope) &&
                    std::isfinite(b.slope)) {
             part = std::clamp(a.slope / (a.slope - b.slope), 0.05, 0.95);
         }
-        split(left, right, part);
+        split(piece, part);
     }
 
-    /// Splits at the root of a quantity of move n, as close as rounding lets it be told. Newton from the better end, each
-    /// step a thousandth longer so that the root comes to lie between; bisection where that does not help.
-    template <class Quantity>
-    void split_at_root(const Run& left, const Run& right, std::size_t n, Quantity quantity) {
-        const std::size_t mark = moves_.size();
-        double a = left.heading;
-        double b = right.heading;
-        Sample at_a = quantity(move(left, n));
-        Sample at_b = quantity(move(right, n));
-        Run before;
-        Run after;
-        const bool left_is_out = at_a.value > 0.0;
-        double two_ago = 16.0 * (b - a);
-        double one_ago = two_ago;
-        for (int i = 0; i < 200 && b - a > least_gap; ++i) {
-            const double width = b - a;
-            const bool from_a = std::abs(at_a.value) < std::abs(at_b.value);
-            const Sample& best = from_a ? at_a : at_b;
-            const double step = -best.value / best.slope;
-            const double longer = step + std::copysign(std::max(1e-3 * std::abs(step), 0.4 * least_gap), step);
-            double next = (from_a ? a : b) + longer;
-            if (i == 0) next = a + width * root_between(at_a, at_b, width);
-            if (!(next > a && next < b) || width > 0.25 * two_ago) next = a + 0.5 * width;
-            two_ago = one_ago;
-            one_ago = width;
-            if (next <= a || next >= b) break;
-            const bool nearly_there = std::abs(step) < 1e3 * least_gap;  // then the run is kept
-            const std::size_t kept = moves_.size();
-            const Run run = nearly_there ? follow(next, limit_) : follow_to(next, n);
-            const Sample value = quantity(move(run, n));
-            const bool other_event = std::isnan(value.value) || (nearly_there && run.changes < static_cast<int>(n));
-            if (!nearly_there || other_event) moves_.resize(kept);
-            if (other_event) {  // leave it to the recursion
-                return split(left, right, (next - left.heading) / (right.heading - left.heading));
-            }
-            if ((value.value > 0.0) == left_is_out) {
-                a = next;
-                at_a = value;
-                before = nearly_there ? run : Run();
-            } else {
-                b = next;
-                at_b = value;
-                after = nearly_there ? run : Run();
-            }
-        }
-        if (before.count == 0) before = follow(a, limit_);
-        if (after.count == 0) after = follow(b, limit_);
-        explore(left, before);
-        emit(before);
-        explore(after, right);
-        moves_.resize(mark);
+    /// Splits at the root of a quantity of move n, as close as rounding lets it be told.
+    void seek_root(Piece& piece, std::size_t n, Quantity quantity) {
+        Root& root = piece.root = {};
+        root.n = n;
+        root.quantity = quantity;
+        root.a = piece.left.heading;
+        root.b = piece.right.heading;
+        root.at_a = quantity(steering_, move(piece.left, n));
+        root.at_b = quantity(steering_, move(piece.right, n));
+        root.left_is_out = root.at_a.value > 0.0;
+        root.two_ago = root.one_ago = 16.0 * (root.b - root.a);
+        step_to_root(piece);
     }
 
-    /// Like follow, up to move n and past parked ones.
-    Run follow_to(double heading, std::size_t n) {
-        Run run;
-        run.heading = heading;
-        run.first = moves_.size();
-        FullSteeringRun car(steering_, heading);
-        for (std::size_t i = 0; i <= n; ++i) {
-            car.drive<true>(moves_.emplace_back());
-            if (ended(run)) break;
+    /// Newton from the better end, each step a thousandth longer so that the root comes to lie between; bisection where that
+    /// does not help.
+    void step_to_root(Piece& piece) {
+        Root& root = piece.root;
+        const double width = root.b - root.a;
+        if (root.steps == 200 || !(width > least_gap)) return ask_for_sides(piece);
+        const bool from_a = std::abs(root.at_a.value) < std::abs(root.at_b.value);
+        const Sample& best = from_a ? root.at_a : root.at_b;
+        const double step = -best.value / best.slope;
+        const double longer = step + std::copysign(std::max(1e-3 * std::abs(step), 0.4 * least_gap), step);
+        double next = (from_a ? root.a : root.b) + longer;
+        if (root.steps == 0) next = root.a + width * root_between(root.at_a, root.at_b, width);
+        if (!(next > root.a && next < root.b) || width > 0.25 * root.two_ago) next = root.a + 0.5 * width;
+        root.two_ago = root.one_ago;
+        root.one_ago = width;
+        ++root.steps;
+        if (next <= root.a || next >= root.b) return ask_for_sides(piece);
+        root.nearly_there = std::abs(step) < 1e3 * least_gap;
+        piece.asks = Asks::step;
+        if (root.nearly_there) {
+            ask(next);
+        } else {
+            asked_.push_back({next, static_cast<int>(root.n), true});
         }
-        run.count = moves_.size() - run.first;
-        moves_driven_ += run.count;
-        return run;
+    }
+
+    void take_step(Piece& piece, const Run& run) {
+        Root& root = piece.root;
+        const Sample value = root.quantity(steering_, move(run, root.n));
+        const bool other_event =
+            std::isnan(value.value) || (root.nearly_there && run.changes < static_cast<int>(root.n));
+        if (other_event) {  // leave it to the parts
+            const double left = piece.left.heading;
+            return split_later(piece, (run.heading - left) / (piece.right.heading - left));
+        }
+        const Run kept = root.nearly_there ? run : Run();
+        if ((value.value > 0.0) == root.left_is_out) {
+            root.a = run.heading;
+            root.at_a = value;
+            root.before = kept;
+        } else {
+            root.b = run.heading;
+            root.at_b = value;
+            root.after = kept;
+        }
+    }
+
+    void ask_for_sides(Piece& piece) {
+        piece.asks = Asks::sides;
+        if (piece.root.before.count == 0) ask(piece.root.a);
+        if (piece.root.after.count == 0) ask(piece.root.b);
+        if (asked_.size() == piece.asked) split_beside_root(piece);
+    }
+
+    void split_beside_root(const Piece& piece) {
+        emit(piece.root.before);
+        pieces_.push_back({piece.root.after, piece.right});
+        pieces_.push_back({piece.left, piece.root.before});
     }
 
     void emit(const Run& run) { leaves_.push_back({run.heading, run.changes}); }
@@ -348,15 +468,16 @@ private:
     }
 
     const FullSteering& steering_;
-    int limit_;  ///< counts above it do not interest
+    Follow runs_;  ///< last in first out
     Find find_;
     const Progress& progress_;
     bool found_ = false;     ///< some heading parks
     bool given_up_ = false;  ///< as the progress callback said
-    std::size_t moves_driven_ = 0;
     std::size_t next_report_ = 1'000'000;
-    std::vector<FullMove> moves_;  ///< of all runs in use, last in first out
-    std::vector<Leaf> leaves_;     ///< ends of finished pieces, in rising order
+    std::vector<Interval> pieces_;  ///< to be looked at, from the right to the left
+    std::vector<Piece> under_way_;  ///< those that wait for a run
+    std::vector<Run> asked_;        ///< by them, in this round
+    std::vector<Leaf> leaves_;      ///< ends of finished pieces, in rising order
 };
 
 }  // namespace

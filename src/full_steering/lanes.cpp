@@ -3,12 +3,16 @@
 // A step takes each lane through one quarter turn: to the contact and across to the next turning centre, or on into the
 // next quarter. Contacts are found by the source that the scalar uses (sector.inl), so every lane has the same bits.
 // Rectangles only, which have a sector for each quarter turn. Cases that turn past -pi/2 are rare and driven alone.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
+#include <limits>
+#include <memory>
+#include <vector>
 
 #include "full_steering/cases.hpp"
+#include "full_steering/follow.hpp"
 
 // Vectors of fixed width only, because others cannot be members.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
@@ -50,9 +54,13 @@ struct Frames {
         rightmost_per_square,
         top_x,
         top_y,
+        top_radius,
+        dip_order,
+        graze_order,
         numbers
     };
-    alignas(64) std::array<std::array<double, 8>, numbers> table = {};
+    alignas(64) std::array<std::array<double, 8>, numbers> table;
+    std::array<std::array<std::int16_t, 8>, 4> parts;  ///< of the outline, that meet something: by Meets
 
     explicit Frames(const FullSteering& steering) {
         for (std::size_t i = 0; i < 4; ++i) {
@@ -68,8 +76,16 @@ struct Frames {
                                                     frame.rightmost.radius,
                                                     frame.rightmost.per_square,
                                                     frame.top.x,
-                                                    frame.top.y};
+                                                    frame.top.y,
+                                                    frame.top.radius,
+                                                    frame.dip_order,
+                                                    frame.graze_order};
             for (std::size_t n = 0; n < numbers; ++n) table[n][i] = of[n];
+            const auto part = [&](Meets meets) -> std::int16_t& { return parts[i][static_cast<std::size_t>(meets)]; };
+            part(Meets::front_side) = static_cast<std::int16_t>(frame.rightmost.index);
+            part(Meets::front_corner) = part(Meets::curb) = static_cast<std::int16_t>(frame.lowest.index);
+            part(Meets::front_top) = part(Meets::rear_top) = part(Meets::curb);
+            part(Meets::rear_corner) = part(Meets::rear_side) = static_cast<std::int16_t>(frame.leftmost.index);
         }
     }
 };
@@ -124,25 +140,160 @@ struct Lanes {
 
 using Corner = SeenCorner<Real>;
 
+/// Nothing is kept of a contact.
+struct NotFound {
+    HWY_INLINE void lies_ahead(Mask, Meets) {}
+    HWY_INLINE void is_first(Mask, Real, Meets, int) {}
+};
+
+/// See Found.
+struct FoundInLanes {
+    Real across;
+    Integer meets, ahead;
+
+    HWY_INLINE FoundInLanes() : across(hn::Set(reals, 1.0)), meets(hn::Zero(whole)), ahead(hn::Zero(whole)) {}
+    HWY_INLINE void lies_ahead(Mask met, Meets what) {
+        const Integer bit = hn::Set(whole, static_cast<std::int64_t>(bit_of(what)));
+        ahead = hn::Or(ahead, hn::IfThenElseZero(hn::RebindMask(whole, met), bit));
+    }
+    HWY_INLINE void is_first(Mask earlier, Real of_across, Meets what, int) {
+        across = hn::IfThenElse(earlier, of_across, across);
+        meets = hn::IfThenElse(hn::RebindMask(whole, earlier), hn::Set(whole, static_cast<std::int64_t>(what)), meets);
+    }
+    [[nodiscard]] HWY_INLINE Mask is(Meets what) const {
+        return hn::RebindMask(reals, meets == hn::Set(whole, static_cast<std::int64_t>(what)));
+    }
+};
+
 /// What does not change from step to step.
 struct Constants {
     Frames frames;
     double touch;
     double radius;
-    int max_changes;
+
+    explicit Constants(const FullSteering& steering)
+        : frames(steering), touch(steering.problem.touch), radius(steering.problem.radius) {}
+};
+
+HWY_INLINE unsigned bits_of(Mask mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(reals, mask, bits);
+    return bits[0];
+}
+
+/// The cases of a batch: how many changes each parks with.
+class Batch {
+public:
+    static constexpr bool keeps_moves = false;
+    using Found = NotFound;
+
+    explicit Batch(Cases& cases) : cases_(cases) {}
+
+    const Cases::Start* next() { return cases_.next(); }
+    [[nodiscard]] std::int64_t limit() const { return cases_.max_changes(); }
+    void parks(std::size_t index, std::int64_t changes) { cases_.answer(index, static_cast<int>(changes)); }
+    void ends(std::size_t index, std::int64_t) { cases_.answer(index, -1); }
+    void drive_alone(std::size_t index) { cases_.answer_alone(index); }
+
+private:
+    Cases& cases_;
+};
+
+/// The runs of a search, with every move.
+class Search {
+public:
+    static constexpr bool keeps_moves = true;
+    using Found = FoundInLanes;
+
+    struct Start : Cases::Start {
+        double x_slope, y_slope;
+        std::int64_t last;
+        bool past_parked;
+    };
+
+    Search(const FullSteering& steering, std::vector<Run>& runs, int limit, bool fewest, std::vector<FullMove>& moves)
+        : steering_(steering), runs_(runs), limit_(limit), fewest_(fewest), moves_(moves) {}
+
+    const Start* next() {
+        if (next_ == runs_.size()) return nullptr;
+        const Run& run = runs_[next_];
+        const FullSteeringRun car(steering_, run.heading);
+        start_.index = next_++;
+        start_.x = car.x();
+        start_.y = car.y();
+        start_.c = car.heading().c;
+        start_.s = car.heading().s;
+        start_.length = steering_.problem.length;
+        start_.width = steering_.problem.width;
+        start_.x_slope = car.x_slope();
+        start_.y_slope = car.y_slope();
+        start_.last = run.last;
+        start_.past_parked = run.past_parked;
+        return &start_;
+    }
+    [[nodiscard]] std::int64_t limit() const { return limit_; }
+    void keep(std::size_t index, const FullMove* moves, std::size_t count) {
+        runs_[index].first = moves_.size();
+        runs_[index].count = count;
+        moves_.insert(moves_.end(), moves, moves + count);
+    }
+    void parks(std::size_t index, std::int64_t changes) {
+        runs_[index].changes = static_cast<int>(changes);
+        if (fewest_) limit_ = std::min(limit_, runs_[index].changes);
+    }
+    void ends(std::size_t, std::int64_t) {}
+    void drive_alone(std::size_t index) {
+        follow_alone(steering_, runs_[index], limit_, moves_);
+        if (fewest_) limit_ = std::min(limit_, runs_[index].changes);
+    }
+
+private:
+    const FullSteering& steering_;
+    std::vector<Run>& runs_;
+    int limit_;
+    bool fewest_;
+    std::vector<FullMove>& moves_;
+    std::size_t next_ = 0;
+    Start start_;
+};
+
+/// Room for the moves of the cases under way, lane by lane.
+class Room {
+public:
+    explicit Room(std::size_t rows) : rows_(rows) {}
+
+    HWY_INLINE FullMove& at(std::size_t row, std::size_t move) {
+        if (HWY_UNLIKELY(move >= each_)) grow();
+        return moves_[row * each_ + move];
+    }
+    [[nodiscard]] const FullMove* row(std::size_t row) const { return &moves_[row * each_]; }
+
+private:
+    void grow() {
+        const std::size_t more = each_ == 0 ? 32 : 2 * each_;
+        std::unique_ptr<FullMove[]> grown(new FullMove[rows_ * more]);
+        for (std::size_t row = 0; row < rows_; ++row) std::copy_n(&moves_[row * each_], each_, &grown[row * more]);
+        moves_ = std::move(grown);
+        each_ = more;
+    }
+
+    std::size_t rows_;
+    std::size_t each_ = 0;
+    std::unique_ptr<FullMove[]> moves_;
 };
 
 /// As many cases as a vector has lanes, each at the start of a move or of the second quarter turn.
+template <class Source>
 class LaneCases {
 public:
     [[nodiscard]] bool busy() const { return busy_ != 0; }
 
-    HWY_INLINE void fill(Cases& cases) {
-        for (std::size_t lane = 0; lane < lanes; ++lane) begin_next(cases, lane);
+    HWY_INLINE void fill(Source& source) {
+        for (std::size_t lane = 0; lane < lanes; ++lane) begin_next(source, lane);
     }
 
-    /// Takes every lane one quarter turn further.
-    HWY_INLINE void step(const Constants& constants) {
+    /// Takes every lane one quarter turn further. Moves are kept in the rows from `first_row`.
+    HWY_INLINE void step(const Constants& constants, std::int64_t limit, Room& room, std::size_t first_row) {
         const Real zero = hn::Zero(reals);
         const Real touch = hn::Set(reals, constants.touch);
         const Real x = hn::Load(reals, x_);
@@ -165,7 +316,7 @@ public:
         const Corner rightmost = {pick(Frames::right), lowest.y, pick(Frames::rightmost_radius),
                                   pick(Frames::rightmost_per_square)};
 
-        First<Lanes> first(start_c, start_s, hn::Set(reals, -2.0));
+        First<Lanes, typename Source::Found> first(start_c, start_s, hn::Set(reals, -2.0));
         first.corners_meet(lowest, leftmost, rightmost, lowest, {x, y, length, y + width, y, y, touch});
         const Real minus_one = hn::Set(reals, -1.0);
         const SeenEdge<Lanes> front = {hn::Neg(lowest.y), lowest.x, rightmost.x, lowest.y >= zero, lowest.y <= zero};
@@ -179,17 +330,87 @@ public:
         const Real top_y = pick(Frames::top_y);
         const Mask found = first.order > hn::Set(reals, -2.0);
         const Mask move_starts = hn::RebindMask(reals, crossed == hn::Zero(whole));
-        const Mask stuck = hn::And(move_starts, first.at_the_start());
-        const Mask inside =
-            hn::Or(y + top_x * start_s + top_y * start_c <= zero, y + top_x * first.s + top_y * first.c <= zero);
         const Mask second = hn::RebindMask(reals, quarter == one);
-        const Mask gives_up = hn::And(found, hn::RebindMask(reals, changes == hn::Set(whole, constants.max_changes)));
-        const Mask done = hn::Or(hn::Or(stuck, inside), hn::Or(gives_up, hn::AndNot(found, second)));
-
+        const Mask stuck = hn::And(move_starts, first.at_the_start());
         const Real sine = hn::IfThenElse(second, hn::Neg(first.c), first.s);
         const Real cosine = hn::IfThenElse(second, first.s, first.c);
         const Real diameter = hn::Set(reals, 2.0 * constants.radius);
         const Real across = hn::IfThenElse(hn::RebindMask(reals, odd == one), zero - diameter, diameter);
+        const Real start_height = y + top_x * start_s + top_y * start_c;
+        const Real end_height = y + top_x * first.s + top_y * first.c;
+        const Mask past_second = hn::AndNot(found, second);
+
+        Mask parks;
+        Mask ends;
+        if constexpr (!Source::keeps_moves) {
+            parks = hn::AndNot(stuck, hn::Or(start_height <= zero, end_height <= zero));
+            ends = hn::Or(stuck, hn::And(found, hn::RebindMask(reals, changes == hn::Set(whole, limit))));
+        } else {
+            const Real x_slope = hn::Load(reals, x_slope_);
+            const Real y_slope = hn::Load(reals, y_slope_);
+            const Real heading_slope = hn::Load(reals, heading_slope_);
+            const Real not_there = hn::Set(reals, std::numeric_limits<double>::quiet_NaN());
+
+            // Of the heading at the end: the centre's speed into what is met, by how squarely it is met.
+            const auto& met = first.found;
+            Real towards = hn::Neg(y_slope);
+            towards = hn::IfThenElse(met.is(Meets::front_side), x_slope, towards);
+            towards = hn::IfThenElse(met.is(Meets::rear_side), hn::Neg(x_slope), towards);
+            towards =
+                hn::IfThenElse(met.is(Meets::front_corner), first.s * x_slope + hn::Neg(first.c) * y_slope, towards);
+            towards = hn::IfThenElse(met.is(Meets::rear_corner),
+                                     hn::Neg(first.c) * x_slope + hn::Neg(first.s) * y_slope, towards);
+            const Real end_slope = hn::IfThenElse(stuck, heading_slope, slope_of_root(towards, met.across));
+
+            const auto not_past = [&](Real order) HWY_ATTR {
+                return hn::And(order <= first.start_order, hn::Not(hn::And(found, first.order > order)));
+            };
+            Real depth = hn::IfThenElse(move_starts, start_height, hn::Load(reals, depth_));
+            Real depth_slope =
+                hn::IfThenElse(move_starts, y_slope + (top_x * start_c - top_y * start_s) * heading_slope,
+                               hn::Load(reals, depth_slope_));
+            const Real dip = y - pick(Frames::top_radius);
+            const Mask dips = hn::And(not_past(pick(Frames::dip_order)), dip < depth);
+            depth = hn::IfThenElse(dips, dip, depth);
+            depth_slope = hn::IfThenElse(dips, y_slope, depth_slope);
+            const Mask lower = end_height < depth;
+            const Real falls = hn::IfThenElseZero(found, (top_x * first.c - top_y * first.s) * end_slope);
+            depth = hn::IfThenElse(lower, end_height, depth);
+            depth_slope = hn::IfThenElse(lower, y_slope + falls, depth_slope);
+
+            const Real graze_order = pick(Frames::graze_order);
+            const Mask sweeps =
+                hn::And(graze_order <= first.start_order, hn::Or(met.is(Meets::curb), not_past(graze_order)));
+            const Real graze = hn::IfThenElse(sweeps, y + width - lowest.radius, not_there);
+            const Real first_graze =
+                hn::IfThenElse(second, hn::IfThenElse(move_starts, not_there, hn::Load(reals, first_graze_)), graze);
+
+            hn::Store(depth, reals, depth_);
+            hn::Store(depth_slope, reals, depth_slope_);
+            hn::Store(first_graze, reals, first_graze_);
+            hn::Store(hn::IfThenElse(second, graze, not_there), reals, second_graze_);
+            hn::Store(met.meets, whole, meets_);
+            hn::Store(met.ahead, whole, ahead_);
+            const unsigned are_stuck = bits_of(stuck);
+            for (unsigned driven = bits_of(found) & busy_; driven != 0; driven &= driven - 1) {
+                const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(driven);
+                keep(room.at(first_row + lane, static_cast<std::size_t>(changes_[lane])), lane,
+                     (are_stuck >> lane & 1U) != 0, constants);
+            }
+
+            parks = hn::And(depth <= zero, hn::RebindMask(reals, hn::Load(whole, past_parked_) == hn::Zero(whole)));
+            const Integer last = hn::Load(whole, last_);
+            const auto goes_on = hn::And(changes < last, changes < hn::Set(whole, limit));
+            const Mask stuck_before = hn::RebindMask(reals, hn::Load(whole, stuck_) != hn::Zero(whole));
+            ends = hn::Or(hn::And(stuck, stuck_before), hn::And(found, hn::Not(hn::RebindMask(reals, goes_on))));
+            hn::Store(hn::IfThenElseZero(hn::RebindMask(whole, stuck), one), whole, stuck_);
+
+            hn::Store(hn::IfThenElse(found, x_slope + across * cosine * end_slope, x_slope), reals, x_slope_);
+            hn::Store(hn::IfThenElse(found, y_slope + across * sine * end_slope, y_slope), reals, y_slope_);
+            hn::Store(hn::IfThenElse(found, end_slope, heading_slope), reals, heading_slope_);
+            parks = hn::And(parks, found);
+        }
+
         hn::Store(hn::IfThenElse(found, x + across * sine, x), reals, x_);
         hn::Store(hn::IfThenElse(found, y - across * cosine, y), reals, y_);
         hn::Store(hn::IfThenElse(found, first.c, zero), reals, c_);
@@ -198,35 +419,53 @@ public:
         hn::Store(hn::IfThenElse(found_whole, changes + one, changes), whole, changes_);
         hn::Store(hn::IfThenElse(found_whole, quarter, one), whole, quarter_);
         hn::Store(hn::IfThenElseZero(hn::RebindMask(whole, hn::Not(found)), one), whole, crossed_);
-
-        // Answers: the changes where parked, -1 where not, and -2 past the second quarter.
-        const Integer not_parked = hn::IfThenElse(hn::RebindMask(whole, hn::Or(stuck, gives_up)), hn::Set(whole, -1),
-                                                  hn::Set(whole, past_second_quarter));
-        hn::Store(hn::IfThenElse(hn::RebindMask(whole, hn::AndNot(stuck, inside)), changes, not_parked), whole,
-                  answer_);
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(reals, done, bits);
-        done_ = bits[0];
+        hn::Store(changes, whole, moves_);
+        parks_ = bits_of(parks);
+        ends_ = bits_of(ends) & ~parks_;
+        past_second_ = bits_of(past_second) & ~(parks_ | ends_);
     }
 
     /// Hands in what is done, and begins new cases in its lanes.
-    HWY_INLINE void renew(Cases& cases) {
-        for (unsigned done = done_ & busy_; done != 0; done &= done - 1) {
+    HWY_INLINE void renew(Source& source, const Room& room, std::size_t first_row) {
+        for (unsigned done = (parks_ | ends_ | past_second_) & busy_; done != 0; done &= done - 1) {
             const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(done);
-            if (answer_[lane] == past_second_quarter) {
-                cases.answer_alone(index_[lane]);
+            const std::size_t index = index_[lane];
+            if ((past_second_ >> lane & 1U) != 0) {
+                source.drive_alone(index);
             } else {
-                cases.answer(index_[lane], static_cast<int>(answer_[lane]));
+                if constexpr (Source::keeps_moves)
+                    source.keep(index, room.row(first_row + lane), static_cast<std::size_t>(moves_[lane]) + 1);
+                if ((parks_ >> lane & 1U) != 0) {
+                    source.parks(index, moves_[lane]);
+                } else {
+                    source.ends(index, moves_[lane]);
+                }
             }
-            begin_next(cases, lane);
+            begin_next(source, lane);
         }
     }
 
 private:
-    static constexpr std::int64_t past_second_quarter = -2;
+    HWY_INLINE void keep(FullMove& move, std::size_t lane, bool is_stuck, const Constants& constants) const {
+        const auto frame = static_cast<std::size_t>((changes_[lane] & 1) + 2 * quarter_[lane]);
+        move.meets = static_cast<Meets>(meets_[lane]);
+        move.backward = (frame & 1) == 0;
+        move.stuck = is_stuck;
+        move.ahead = static_cast<std::uint8_t>(ahead_[lane]);
+        move.quarter = static_cast<int>(quarter_[lane]);
+        move.part = constants.frames.parts[frame][static_cast<std::size_t>(meets_[lane])];
+        move.sector = 0;
+        move.depth = depth_[lane];
+        move.depth_slope = depth_slope_[lane];
+        move.x = x_[lane];
+        move.y = y_[lane];
+        move.x_slope = x_slope_[lane];
+        move.y_slope = y_slope_[lane];
+        move.graze = {first_graze_[lane], second_graze_[lane]};
+    }
 
-    HWY_INLINE void begin_next(Cases& cases, std::size_t lane) {
-        const Cases::Start* start = cases.next();
+    HWY_INLINE void begin_next(Source& source, std::size_t lane) {
+        const auto* start = source.next();
         if (start == nullptr) {
             busy_ &= ~(1U << lane);
             return;
@@ -242,6 +481,14 @@ private:
         changes_[lane] = 0;
         quarter_[lane] = 0;
         crossed_[lane] = 0;
+        if constexpr (Source::keeps_moves) {
+            x_slope_[lane] = start->x_slope;
+            y_slope_[lane] = start->y_slope;
+            heading_slope_[lane] = 1.0;
+            stuck_[lane] = 0;
+            last_[lane] = start->last;
+            past_parked_[lane] = start->past_parked ? 1 : 0;
+        }
     }
 
     // Turning centre, heading (see QuarterHeading) and slot of each lane; crossed: this quarter did not begin the move.
@@ -254,31 +501,61 @@ private:
     alignas(64) std::int64_t changes_[lanes] = {};
     alignas(64) std::int64_t quarter_[lanes] = {};
     alignas(64) std::int64_t crossed_[lanes] = {};
-    alignas(64) std::int64_t answer_[lanes] = {};
+    alignas(64) std::int64_t moves_[lanes] = {};  ///< the changes before the step
     std::size_t index_[lanes] = {};
     unsigned busy_ = 0;
-    unsigned done_ = 0;
+    unsigned parks_ = 0;
+    unsigned ends_ = 0;
+    unsigned past_second_ = 0;
+
+    // Where moves are kept: what goes on from move to move, and what becomes of this one.
+    static constexpr std::size_t kept = Source::keeps_moves ? lanes : 1;
+    alignas(64) double x_slope_[kept] = {};
+    alignas(64) double y_slope_[kept] = {};
+    alignas(64) double heading_slope_[kept] = {};
+    alignas(64) std::int64_t stuck_[kept] = {};
+    alignas(64) std::int64_t last_[kept] = {};
+    alignas(64) std::int64_t past_parked_[kept] = {};
+    alignas(64) double depth_[kept] = {};
+    alignas(64) double depth_slope_[kept] = {};
+    alignas(64) double first_graze_[kept] = {};
+    alignas(64) double second_graze_[kept] = {};
+    alignas(64) std::int64_t meets_[kept] = {};
+    alignas(64) std::int64_t ahead_[kept] = {};
 };
+
+template <class Source>
+HWY_INLINE void drive_in_lanes(const FullSteering& steering, Source source) {
+    const Constants constants(steering);
+    std::array<LaneCases<Source>, vectors> running;
+    Room room(vectors * lanes);
+    for (LaneCases<Source>& vector : running) vector.fill(source);
+    for (bool any = true; any;) {
+        for (std::size_t i = 0; i < vectors; ++i)
+            if (running[i].busy()) running[i].step(constants, source.limit(), room, i * lanes);
+        any = false;
+        for (std::size_t i = 0; i < vectors; ++i) {
+            if (running[i].busy()) running[i].renew(source, room, i * lanes);
+            any = any || running[i].busy();
+        }
+    }
+}
 
 void drive_all_in_lanes(Cases& cases) {
     if constexpr (lanes == 1) {  // nothing to gain
         while (const Cases::Start* start = cases.next()) cases.answer_alone(start->index);
-        return;
+    } else {
+        drive_in_lanes(cases.steering(), Batch(cases));
     }
-    const FullSteering& steering = cases.steering();
-    const Constants constants = {Frames(steering), steering.problem.touch, steering.problem.radius,
-                                 cases.max_changes()};
-    std::array<LaneCases, vectors> running;
-    for (LaneCases& vector : running) vector.fill(cases);
-    for (bool any = true; any;) {
-        for (LaneCases& vector : running) {
-            if (vector.busy()) vector.step(constants);
-        }
-        any = false;
-        for (LaneCases& vector : running) {
-            vector.renew(cases);
-            any = any || vector.busy();
-        }
+}
+
+void follow_all_in_lanes(const FullSteering& steering, std::vector<Run>& runs, int limit, bool fewest,
+                         std::vector<FullMove>& moves) {
+    Search search(steering, runs, limit, fewest, moves);
+    if constexpr (lanes == 1) {
+        for (std::size_t i = 0; i < runs.size(); ++i) search.drive_alone(i);
+    } else {
+        drive_in_lanes(steering, search);
     }
 }
 
@@ -289,8 +566,14 @@ HWY_AFTER_NAMESPACE();
 namespace snug::detail {
 
 HWY_EXPORT(drive_all_in_lanes);
+HWY_EXPORT(follow_all_in_lanes);
 
 void drive_all(Cases& cases) { HWY_DYNAMIC_DISPATCH(drive_all_in_lanes)(cases); }
+
+void follow_in_lanes(const FullSteering& steering, std::vector<Run>& runs, int limit, bool fewest,
+                     std::vector<FullMove>& moves) {
+    HWY_DYNAMIC_DISPATCH(follow_all_in_lanes)(steering, runs, limit, fewest, moves);
+}
 
 }  // namespace snug::detail
 #endif

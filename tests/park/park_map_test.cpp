@@ -216,7 +216,8 @@ TEST(ParkMap, AtTheEntryPositionsItAgreesWithFewest) {
         for (int k = 0; k <= 400; ++k) {
             // The front-right corner at the slot's corner.
             const double heading = k * 1.2 / 400, c = std::cos(heading), s = std::sin(heading);
-            const Pose entry = {-car.front() * c - car.width() / 2 * s, -car.front() * s + car.width() / 2 * c, heading};
+            const Pose entry = {-car.front() * c - car.width() / 2 * s, -car.front() * s + car.width() / 2 * c,
+                                heading};
             const MapBounds bounds = map.at(entry);
             if (bounds.where != MapBounds::free) continue;
             lower = std::min(lower, bounds.lower_bound);

@@ -15,7 +15,7 @@ MANEUVER = ANSWER.maneuver
 MOVE = MANEUVER.moves[0]
 WEDGE = snug.Car(wheelbase=2.6, max_steer=0.6, outline=[(3.6, 0.5), (-0.8, 0.9), (-0.8, -0.9), (3.6, -0.5)], name="wedge")
 VALUES = [CAR, WEDGE, SLOT, snug.Slot(5, 2, front_setback=0.1, rear_setback=0.2, curb="low"), MANEUVER, MOVE, MOVE.contact, MOVE.start, snug.Point(1, 2), snug.MaxSteer(), snug.Stepping(step=0.01),
-          snug.ReversedTrials(goal=(1, 2, 0)), snug.ParallelTrials()]
+          snug.ReversedTrials(goal=(1, 2, 0)), snug.ParallelTrials(), snug.Street(5.2, 2.0, road=3.5, parked_curb=0.3)]
 
 
 @pytest.mark.parametrize("value", VALUES, ids=lambda value: type(value).__name__)
@@ -192,7 +192,7 @@ def test_defaults_are_the_ones_that_help_shows():
         "min_slot": (CAR,), "min_slots": (CAR, [1]),
         "fewest": (CAR, snug.Slot(5.2, 2.0)), "parked_pose": (CAR, SLOT), "swept": (MANEUVER,), "trajectory": (MANEUVER,),
         "leave": (CAR, snug.Slot(5.2, 2.0), snug.parked_pose(CAR, snug.Slot(5.2, 2.0), front=0.3, curb=0.05)),
-        "first_contact": (CAR, SLOT, MOVE.start, "backward", 0.3),
+        "first_contact": (CAR, SLOT, MOVE.start, "backward", 0.3), "park": (CAR, snug.Street(5.2, 2.0, road=3.5)),
     }
     for name, thing in public():
         if inspect.ismodule(thing) or inspect.isclass(thing):
