@@ -91,14 +91,6 @@ DriveAnswer with(const Assistant& assistant, const Pose& start, int runs, const 
 
 }  // namespace
 
-int DriveAnswer::parked() const {
-    return static_cast<int>(std::count_if(runs.begin(), runs.end(), [](const DriveRun& run) { return run.parked; }));
-}
-
-int DriveAnswer::contacts() const {
-    return static_cast<int>(std::count_if(runs.begin(), runs.end(), [](const DriveRun& run) { return run.contact; }));
-}
-
 DriveAnswer drive_runs(const Car& car, const Place& place, const Pose& start, const DriveOptions& options) {
     check(options);
     if (nearest_distance(car, place, start) < -1e-9)

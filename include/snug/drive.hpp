@@ -25,8 +25,8 @@ struct DriveOptions {
     CarErrors errors = {};
     /// How much the car is grown for planning [m]; empty: the least of a list that parks often enough.
     std::optional<double> margin = {};
-    double rate = 0.999;  ///< the share of runs that must park without contact, where the margin is looked for
-    double spacing = 0.0;    ///< of the map [m]; 0: its usual one
+    double rate = 0.999;   ///< the share of runs that must park without contact, where the margin is looked for
+    double spacing = 0.0;  ///< of the map [m]; 0: its usual one
     int runs = 1000;
     std::uint64_t seed = 1;  ///< the same seed, the same runs
     /// Drive the plan of the start to its end without measuring again.
@@ -58,8 +58,16 @@ struct DriveAnswer {
     std::optional<Maneuver> planned;  ///< from the start, with its margin
     std::vector<DriveRun> runs;
 
-    [[nodiscard]] int parked() const;
-    [[nodiscard]] int contacts() const;
+    [[nodiscard]] int parked() const {
+        int count = 0;
+        for (const DriveRun& run : runs) count += run.parked ? 1 : 0;
+        return count;
+    }
+    [[nodiscard]] int contacts() const {
+        int count = 0;
+        for (const DriveRun& run : runs) count += run.contact ? 1 : 0;
+        return count;
+    }
 };
 
 /// Drives from the start into the place as the Assistant says: in every run the car measures its pose at standstill and every 5 cm on
