@@ -120,20 +120,29 @@ Instruction Assistant::next(const Pose& measured, std::optional<Direction> drive
 }
 
 Instruction Assistant::short_way(const Pose& measured, std::optional<Direction> driven, int most_changes) const {
-    constexpr double step = 0.02, farthest = 1.0;  // [m]
+    constexpr double step = 0.02;  // [m]
+    // A car that has a way gains little beyond a metre; one beside a wall has to creep off it.
+    const double farthest = most_changes == std::numeric_limits<int>::max() ? 2.5 : 1.0;  // [m]
+    constexpr double least_gain = 0.01;  // of an arc that only leads away: else two of them could lead to and fro [m]
     constexpr double touch = 1e-9;
     const double room = nearest(car_, place_, measured);
     if (!(room >= -touch)) return {};
-    const double kept = std::min(room, map_.clearance()) - touch;
-    Instruction best;
+    const double kept = std::min(room, map_.clearance()) / 2.0 - touch;
+    Instruction best, away;
     double best_cost = std::numeric_limits<double>::infinity();
+    double most_room = room + least_gain;
     for (const Direction direction : {Direction::backward, Direction::forward}) {
         const int turn = driven && *driven != direction ? 1 : 0;
-        for (const double part : {0.0, -1.0, 1.0, -0.5, 0.5}) {
+        for (const double part : {0.0, -1.0, 1.0, -0.5, 0.5, -0.2, 0.2}) {
             const double steering = part * map_.car().max_steer();
             for (double length = step; length <= farthest; length += step) {
                 const Pose there = drive(car_, measured, direction, steering, length);
-                if (nearest(car_, place_, there) < kept) break;
+                const double left = nearest(car_, place_, there);
+                if (left < kept) break;
+                if (left > most_room && room < map_.clearance() && map_.at(there).where != MapBounds::outside) {
+                    most_room = left;
+                    away = {Instruction::escape, {{direction, steering, length, measured, there, {}}}, 0};
+                }
                 const MapBounds bounds = map_.at(there);
                 if (bounds.where != MapBounds::free || !bounds.direction_changes) continue;
                 const int changes =
@@ -147,7 +156,7 @@ Instruction Assistant::short_way(const Pose& measured, std::optional<Direction> 
             }
         }
     }
-    return best;
+    return best.what == Instruction::stuck ? away : best;
 }
 
 }  // namespace snug

@@ -32,7 +32,7 @@ struct Instruction {
     };
     What what = stuck;
     std::vector<Move> moves;    ///< of one direction, the first from the pose measured
-    int direction_changes = 0;  ///< of all of the way to where the car is parked
+    int direction_changes = 0;  ///< of all of the way to where the car is parked; 0 where an escape takes several arcs
 
     friend bool operator==(const Instruction&, const Instruction&) = default;
 };
@@ -50,9 +50,10 @@ public:
     /// the direction of the last move, for turning costs a change. It goes through nothing, grown by the margin.
     ///
     /// Where a short arc of one direction leads to a pose from where fewer changes are left in all, it is driven first; so too where
-    /// the map knows no way, as when the car stands closer to something than the margin (but does not overlap it): an arc that comes
-    /// no nearer to anything than the car stands. A pose that is no number, outside of the map, or overlaps something has no way:
-    /// stuck.
+    /// the map knows no way, as when the car stands closer to something than the margin (but does not overlap it): an arc on which
+    /// at least half of the distance is left that the car has (a corner swings out before the car is away), or failing that one that
+    /// ends by 1 cm or more farther away. A pose that is no
+    /// number, outside of the map, or overlaps something has no way: stuck.
     [[nodiscard]] Instruction next(const Pose& measured, std::optional<Direction> driven = {}) const;
     /// All of the way, as next() would give it move by move; empty when the car is parked or stuck.
     [[nodiscard]] std::optional<Maneuver> plan(const Pose& measured) const;
