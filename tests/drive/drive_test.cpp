@@ -144,7 +144,7 @@ TEST(Assistant, LeadsAwayFromWhatIsNearerThanTheMargin) {
     while (assistant.map().at(at).where != snug::MapBounds::free) {
         ASSERT_LT(++arcs, 10);
         const Instruction told = assistant.next(at);
-        ASSERT_EQ(told.what, Instruction::escape);
+        ASSERT_TRUE(told.what == Instruction::escape || (arcs > 1 && told.what == Instruction::move));
         EXPECT_LE(deepest(zoe(), street_place(usual_street()), at, told.moves), 0.0);
         at = told.moves.back().end;
     }
