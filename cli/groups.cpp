@@ -60,8 +60,9 @@ Pose pose(const std::string& option, const std::string& text) {
 }
 
 CarOptions::CarOptions(Options& options)
-    : name(options.group("Car").text("--car", "NAME|FILE",
-                                     "A name that `snug cars` lists, or a JSON file\n(see snug cars --help).")) {}
+    : name(options.group("Car").text(
+          "--car", "NAME|FILE",
+          "A name that `snug cars` lists, a JSON file (see\nsnug cars --help), or - for one on standard input.")) {}
 
 Car CarOptions::car() const {
     if (!name) throw Error(name.name() + " is missing; give a name that `snug cars` lists, or a JSON file");
@@ -74,6 +75,7 @@ Car CarOptions::car() const {
 
 Car find_or_read_car(const std::string& name_or_file) {
     if (const std::optional<Car> known = find_car(name_or_file)) return *known;
+    if (name_or_file == "-") return read_car("/dev/stdin");
     const bool is_file = name_or_file.find('/') != name_or_file.npos ||
                          (name_or_file.size() > 5 && name_or_file.substr(name_or_file.size() - 5) == ".json") ||
                          access(name_or_file.c_str(), F_OK) == 0;

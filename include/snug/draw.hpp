@@ -22,6 +22,9 @@ enum class PictureFormat { svg, pdf, png };
 /// The format a file name asks for by its extension (.svg, .pdf, .png in any case); empty for any other.
 std::optional<PictureFormat> picture_format(std::string_view file_name);
 
+/// What people call what a car meets, in pictures and in text: "front neighbour". Programs read to_string().
+std::string_view called(Obstacle obstacle);
+
 /// What the answer was asked with.
 struct PictureOptions {
     Driving driving = {};

@@ -53,6 +53,8 @@ Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, cons
 /// The answer of `snug entry --strategy fewest --format json`, with `proved` and `lower_bound`. `max_changes` as asked.
 Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const Answer& answer,
              const Driving& driving = {}, const Parked& parked = {});
+/// `any_maneuver`: what all maneuvers can where a strategy cannot park; `direction_changes` is null where none was found.
+Json any_maneuver_as_json(const Answer& answer);
 /// A row of `snug min-slot --format json`.
 Json as_json(const MinSlot& slot, const MinSlotOptions& options);
 /// The answer of `snug leave --format json`.
