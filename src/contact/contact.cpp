@@ -382,8 +382,8 @@ FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, D
     const double curvature = angles::tan(slot.mirrored(steering_angle)) / car.wheelbase();
     // What turns counter-clockwise is looked at nose first, where it turns clockwise.
     const Enter view = forward * curvature > 0.0 ? Enter::forward : Enter::backward;
-    const Problem problem = entering_problem(car, slot, {driving.clearance, driving.curb_clearance, view});
-    PlainMove move = {problem, to_entering(slot, view, pose), view == Enter::forward ? -forward : forward, curvature};
+    PlainMove move = {entering_problem(car, slot, {driving.clearance, driving.curb_clearance, view}),
+                      to_entering(slot, view, pose), view == Enter::forward ? -forward : forward, curvature};
     move.problem.touch = touching_part * car.length();
 
     const bool straight = std::abs(curvature) < straight_bend;

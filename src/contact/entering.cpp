@@ -44,7 +44,8 @@ Problem entering_problem(const Car& car, const Slot& slot, const Driving& drivin
     const bool low_curb = slot.curb() == Curb::low;
     const auto seen = [&](const Outline& outline) {
         Outline in_slot = slot.side() == Side::left ? outline.mirrored() : outline;
-        return driving.enter == Enter::forward ? in_slot.turned_about() : in_slot;
+        if (driving.enter == Enter::forward) in_slot = in_slot.turned_about();
+        return in_slot;
     };
     Outline frame = seen(car.outline());
     Outline body = frame.grown(driving.clearance);

@@ -65,14 +65,12 @@ Pose entry_pose(const Problem& problem, const Point& corner, double heading) {
 
 EntryShape::EntryShape(const Problem& problem) : corner(entry_corner(problem)) {
     const std::vector<Point>& corners = problem.body.corners();
-    edges.reserve(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Point& next = corners[(i + 1) % corners.size()];
         edges.push_back({{corners[i].x - corner.x, corners[i].y - corner.y}, outward_normal(corners[i], next)});
         if (next == corner) before = edges.back().normal;
         if (corners[i] == corner) after = edges.back().normal;
     }
-    at_curb.reserve(problem.at_curb.corners().size());
     for (const Point& own : problem.at_curb.corners()) at_curb.push_back({own.x - corner.x, own.y - corner.y});
 }
 
@@ -112,8 +110,7 @@ std::vector<Headings> possible_headings(const Problem& problem, const EntryShape
     if (!open && problem.body.front() + problem.body.rear() > problem.length) return {};
     const Point& corner = shape.corner;
     const Point rear = rear_corner(problem);
-    std::vector<Direction> cuts;
-    cuts.reserve(2 + 2 * shape.at_curb.size() + 6 * shape.edges.size());
+    Few<Direction, 48> cuts;
     cuts.push_back({1.0, 0.0});
     const auto cut = [&](const Direction& at) { cuts.push_back(at); };
     roots(shape.before.y, shape.before.x, 0.0, cut);

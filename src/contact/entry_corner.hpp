@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/entering.hpp"
+#include "contact/few.hpp"
 #include "snug/answer.hpp"
 
 namespace snug::detail {
@@ -33,8 +34,8 @@ struct EntryShape {
     };
     Point corner;         ///< the entry corner
     Point before, after;  ///< outward normals of the edges beside it
-    std::vector<Edge> edges;
-    std::vector<Point> at_curb;  ///< corners of what stops at the curb, seen from the entry corner
+    Few<Edge, 4> edges;
+    Few<Point, 4> at_curb;  ///< corners of what stops at the curb, seen from the entry corner
 
     explicit EntryShape(const Problem& problem);
 

@@ -99,10 +99,12 @@ struct First {
             if (above_top > 2.0 * touch) return;
         }
         const Crossing<Real> crossing = corner_on_wall<N, Sign>(corner, along);
-        const Root<Real> at = root<N>(crossing);
-        if constexpr (N::alone) {
-            if (!(Sign * at.across + above_top <= 2.0 * touch)) return;  // nor where there is no root
+        if constexpr (N::alone) {  // told from the root's square; nor where there is no root
+            const Real top = Sign > 0 ? 2.0 * touch - above_top : above_top - 2.0 * touch;
+            if (Sign > 0 ? !(crossing.square <= top * top) : top > 0.0 && !(crossing.square >= top * top)) return;
+            if (!(crossing.square >= 0.0)) return;
         }
+        const Root<Real> at = root<N>(crossing);
         const Real height = above_top + corner.x * at.s + corner.y * at.c;
         Mask exists = N::both(crossing.square >= N::set(0.0), height <= touch);
         if (N::none(exists)) return;

@@ -22,8 +22,8 @@ Point turned(const Point& point, int quarters) {
 
 /// The headings within a quarter turn, from the steepest, at which an edge lies level or upright; the last is the quarter's
 /// end.
-std::vector<Border> borders(const Problem& problem) {
-    std::vector<Border> found;
+Few<Border, 4> borders(const Problem& problem) {
+    Few<Border, 4> found;
     for (const Outline* outline : {&problem.body, &problem.at_curb, &problem.frame}) {
         const std::vector<Point>& corners = outline->corners();
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -37,10 +37,9 @@ std::vector<Border> borders(const Problem& problem) {
             if (border.y > one_border && border.x > one_border) found.push_back({border.x, border.y});
         }
     }
-    found.reserve(found.size() + 1);
     std::sort(found.begin(), found.end(), [](const Border& a, const Border& b) { return a.s - a.c > b.s - b.c; });
     const auto same = [](const Border& a, const Border& b) { return std::abs(a.c * b.s - a.s * b.c) <= one_border; };
-    found.erase(std::unique(found.begin(), found.end(), same), found.end());
+    found.resize(static_cast<std::size_t>(std::unique(found.begin(), found.end(), same) - found.begin()));
     found.push_back({1.0, 0.0});
     return found;
 }
@@ -59,9 +58,8 @@ int leading(const Outline& outline, int before, const Point& own) {
     return static_cast<int>(best);
 }
 
-std::vector<TurningShape::Leading> leading(const Outline& outline, const std::vector<Border>& ends) {
-    std::vector<TurningShape::Leading> found;
-    found.reserve(ends.size());
+Few<TurningShape::Leading, 4> leading(const Outline& outline, const Few<Border, 4>& ends) {
+    Few<TurningShape::Leading, 4> found;
     TurningShape::Leading now = {};
     Border begin = {0.0, 1.0};
     for (const Border& end : ends) {
@@ -100,9 +98,10 @@ double below_centre(const TurningCorner& corner, double begin_order, double end_
 }
 
 /// The directions of the body's edges.
-std::vector<Point> directions(const Outline& body) {
+Few<Point, 4> directions(const Outline& body) {
     const std::vector<Point>& corners = body.corners();
-    std::vector<Point> ways(corners.size());
+    Few<Point, 4> ways;
+    ways.resize(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Point& next = corners[i + 1 == corners.size() ? 0 : i + 1];
         const double x = next.x - corners[i].x;
@@ -114,14 +113,12 @@ std::vector<Point> directions(const Outline& body) {
 }
 
 /// The edges of the body, as far as a point turning counter-clockwise about the centre can enter over them.
-std::vector<TurningEdge> seen_edges(const std::vector<TurningCorner>& corners, const std::vector<Point>& ways,
-                                    double touch) {
+Few<TurningEdge, 8> seen_edges(const Few<TurningCorner, 12>& corners, const Few<Point, 4>& ways, double touch) {
     const auto along = [](const TurningCorner& point, const Point& way) { return point.x * way.x + point.y * way.y; };
     const double margin = 4.0 * touch;
     const std::size_t count = ways.size();
-    std::vector<TurningEdge> edges;
-    edges.reserve(2 * count);
-    edges.resize(count);
+    Few<TurningEdge, 8> edges;
+    edges.resize(2 * count);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = i + 1 == count ? 0 : i + 1;
         const Point& way = ways[i];
@@ -142,7 +139,7 @@ std::vector<TurningEdge> seen_edges(const std::vector<TurningCorner>& corners, c
         for (int quarter = 0; quarter < 4; ++quarter)
             edge.normal[static_cast<std::size_t>(quarter)] = turned(Point{way.y, -way.x}, quarter);
     }
-    for (std::size_t i = 0; i < count; ++i) edges.push_back(edges[i]);
+    for (std::size_t i = 0; i < count; ++i) edges[count + i] = edges[i];
     return edges;
 }
 
@@ -175,8 +172,6 @@ TurningFrame::TurningFrame(const Problem& problem, const TurningShape& shape, do
             corners_.push_back({corner.x, across, std::sqrt(square), 1.0 / square, index});
         }
     };
-    corners_.reserve(problem.body.corners().size() + (shape.body_at_curb ? 0 : problem.at_curb.corners().size()) +
-                     (shape.body_is_frame ? 0 : problem.frame.corners().size()));
     add(problem.body);
     if (!shape.body_at_curb) {
         at_curb_ = corners_.size();
@@ -204,8 +199,8 @@ void TurningFrame::see(const Problem& problem, const TurningShape& shape, int an
         return turned(corners_[of + static_cast<std::size_t>(index)], quarter);
     };
     const auto point = [](const TurningCorner& corner) { return Point{corner.x, corner.y}; };
-    const std::vector<TurningShape::Leading>& at_curb = shape.body_at_curb ? shape.body : shape.at_curb;
-    const std::vector<TurningShape::Leading>& of_frame = shape.body_is_frame ? shape.body : shape.frame;
+    const auto& at_curb = shape.body_at_curb ? shape.body : shape.at_curb;
+    const auto& of_frame = shape.body_is_frame ? shape.body : shape.frame;
     Border begin = {0.0, 1.0};
     for (std::size_t i = 0; i < shape.ends.size(); ++i) {
         const Border& end = shape.ends[i];

@@ -13,10 +13,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "contact/crossing.hpp"
 #include "contact/entering.hpp"
+#include "contact/few.hpp"
 #include "model/angles.hpp"
 #include "snug/maneuver.hpp"
 
@@ -133,10 +133,10 @@ struct TurningShape {
     /// quarter turn on each leads where the one before it did.
     using Leading = std::array<int, 4>;
 
-    std::vector<Border> ends;                   ///< of the sectors of any quarter
-    std::vector<Leading> body, at_curb, frame;  ///< in each sector; the latter two empty if they are the body
-    std::vector<Point> ways;                    ///< directions of the body's edges
-    bool body_at_curb;                          ///< the body is what stops at the curb
+    Few<Border, 4> ends;                   ///< of the sectors of any quarter
+    Few<Leading, 4> body, at_curb, frame;  ///< in each sector; the latter two empty if they are the body
+    Few<Point, 4> ways;                    ///< directions of the body's edges
+    bool body_at_curb;                     ///< the body is what stops at the curb
     bool body_is_frame;
 };
 
@@ -149,8 +149,8 @@ struct TurningFrame {
     /// Works out the sectors of a quarter turn, unless that is done.
     void see(const Problem& problem, const TurningShape& shape, int any_quarter);
 
-    std::vector<Sector> sectors;     ///< quarter by quarter, as many in each, in the order of falling headings
-    std::vector<TurningEdge> edges;  ///< as the outline counts them, twice around
+    Few<Sector, 4> sectors;     ///< quarter by quarter, as many in each, in the order of falling headings
+    Few<TurningEdge, 8> edges;  ///< as the outline counts them, twice around
     int per_quarter = 1;
 
     /// The sector of a quarter, counted on from the quarter's first.
@@ -169,7 +169,7 @@ struct TurningFrame {
     }
 
 private:
-    std::vector<TurningCorner> corners_;   ///< of the body, what stops at the curb and the frame, in the first quarter
+    Few<TurningCorner, 12> corners_;       ///< of the body, what stops at the curb and the frame, in the first quarter
     std::size_t at_curb_ = 0, frame_ = 0;  ///< where theirs begin
     std::array<bool, 4> seen_ = {};
 };

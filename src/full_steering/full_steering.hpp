@@ -25,12 +25,15 @@ struct FullSteering {
     bool height_decides;    ///< see by_height_alone()
     EntryShape entry;       ///< the body at the entry position
 
-    explicit FullSteering(Problem of)
-        : problem(std::move(of)), height_decides(by_height_alone(problem)), entry(problem) {
-        const TurningShape shape(problem);
-        backward = turning_frame(problem, shape, problem.radius);
-        forward = turning_frame(problem, shape, -problem.radius);
-    }
+    explicit FullSteering(Problem of) : FullSteering(std::move(of), TurningShape(of)) {}
+
+private:
+    FullSteering(Problem&& of, const TurningShape& shape)
+        : problem(std::move(of)),
+          backward(turning_frame(problem, shape, problem.radius)),
+          forward(turning_frame(problem, shape, -problem.radius)),
+          height_decides(by_height_alone(problem)),
+          entry(problem) {}
 };
 
 /// What one move did. Nothing is filled in until it is driven.

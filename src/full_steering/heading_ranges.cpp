@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "full_steering/follow.hpp"
@@ -26,8 +27,10 @@ namespace {
 constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double least_gap = 1e-13;  ///< between the two sides of a root; beyond rounding, short of any range [rad]
 constexpr std::size_t most_moves = 30'000'000;
-constexpr std::size_t side_by_side = 16;      ///< pieces under way: with fewer, lanes are left empty; more take memory
-constexpr std::size_t room_for_moves = 2048;  ///< at first
+/// Pieces under way where runs are driven in vectors: with fewer, lanes are left empty; more take memory.
+constexpr std::size_t side_by_side = 16;
+constexpr std::size_t room_for_moves =
+    2048;  ///< at first: so much that it is not given back to the system after every search
 
 /// What `move` met, and what else it may come to meet in a quarter turn without a jump: the car rolls from an edge onto
 /// the corner at its end and back. Only the tail that swings up behind the rear corner does not roll, it flies.
@@ -117,12 +120,13 @@ private:
         double heading;
         int changes;
     };
-    using Quantity = Sample (*)(const FullSteering&, const FullMove&);
+    using Quantity = Sample (*)(const FullSteering&, const FullMove&, int edge);
 
     /// A root of a quantity of move n, as far as it is known.
     struct Root {
         std::size_t n = 0;
         Quantity quantity = nullptr;
+        int edge = 0;             ///< of the outline, where the quantity is one of an edge
         double a = 0.0, b = 0.0;  ///< it lies between
         Sample at_a, at_b;
         bool left_is_out = false;
@@ -140,7 +144,9 @@ private:
         Asks asks = Asks::nothing;
         double middle = 0.0;  ///< where to split it
         std::size_t asked = 0;
-        Root root = {};
+        std::optional<Root> root;
+
+        explicit Piece(const Interval& of) : Interval(of) {}
     };
 
     void search(const Headings& headings) {
@@ -172,11 +178,12 @@ private:
         throw_away();
         asked_.clear();
         std::erase_if(under_way_, [this](Piece& piece) { return !ask_for(piece); });
-        // Whoever wants any heading gets the first from the left.
-        while (under_way_.size() < (find_ == Find::any ? 1 : side_by_side) && !pieces_.empty()) {
-            Piece piece = {pieces_.back()};
+        // Whoever wants any heading gets the first from the left; and what is driven alone is driven quicker after its like.
+        const std::size_t most = runs_.vectors && find_ != Find::any ? side_by_side : 1;
+        while (under_way_.size() < most && !pieces_.empty()) {
+            under_way_.emplace_back(pieces_.back());
             pieces_.pop_back();
-            if (ask_for(piece)) under_way_.push_back(piece);
+            if (!ask_for(under_way_.back())) under_way_.pop_back();
         }
         drive_asked();
         std::erase_if(under_way_, [this](Piece& piece) { return take(piece); });
@@ -195,7 +202,7 @@ private:
         piece.asked = asked_.size();
         if (piece.asks == Asks::middle) {
             ask(piece.middle);
-        } else if (piece.asks == Asks::step && interests(piece.root)) {
+        } else if (piece.asks == Asks::step && interests(*piece.root)) {
             step_to_root(piece);
         } else {
             explore(piece);
@@ -206,12 +213,12 @@ private:
     /// Takes the run that a piece has asked for; true if that splits it.
     bool take(Piece& piece) {
         const Run& first = asked_[piece.asked];
-        Root& root = piece.root;
         if (piece.asks == Asks::middle) {
             pieces_.push_back({first, piece.right});
             pieces_.push_back({piece.left, first});
             return true;
         }
+        Root& root = *piece.root;
         if (piece.asks == Asks::sides) {
             const Run& last = asked_[piece.asked + (root.before.count == 0 && root.after.count == 0 ? 1 : 0)];
             if (root.before.count == 0) root.before = first;
@@ -240,8 +247,9 @@ private:
         for (Piece& piece : under_way_) {
             need(piece.left);
             need(piece.right);
-            need(piece.root.before);
-            need(piece.root.after);
+            if (!piece.root) continue;
+            need(piece.root->before);
+            need(piece.root->after);
         }
         std::sort(needed.begin(), needed.end(), [](const Run* a, const Run* b) { return a->first < b->first; });
         std::size_t end = 0;
@@ -276,16 +284,93 @@ private:
         return runs_.moves[run.first + run.count - (stuck && (n - run.count) % 2 == 0 ? 2 : 1)];
     }
 
-    static Sample depth(const FullSteering&, const FullMove& move) { return {move.depth, move.depth_slope}; }
-    static Sample first_graze(const FullSteering&, const FullMove& move) { return {move.graze[0], move.y_slope}; }
-    static Sample second_graze(const FullSteering&, const FullMove& move) { return {move.graze[1], move.y_slope}; }
-    static Sample tail_clears(const FullSteering& steering, const FullMove& move) {
+    static Sample depth(const FullSteering&, const FullMove& move, int = 0) { return {move.depth, move.depth_slope}; }
+    static Sample first_graze(const FullSteering&, const FullMove& move, int = 0) {
+        return {move.graze[0], move.y_slope};
+    }
+    static Sample second_graze(const FullSteering&, const FullMove& move, int = 0) {
+        return {move.graze[1], move.y_slope};
+    }
+    static Sample tail_clears(const FullSteering& steering, const FullMove& move, int = 0) {
         const Clearings clears = clearings(steering, move);
         return {clears.tail, clears.tail_slope};
     }
-    static Sample nose_clears(const FullSteering& steering, const FullMove& move) {
+    static Sample nose_clears(const FullSteering& steering, const FullMove& move, int = 0) {
         const Clearings clears = clearings(steering, move);
         return {clears.nose, clears.nose_slope};
+    }
+    /// A neighbour's corner, seen from the turning centre, its distance's slope with the entry heading times that distance.
+    struct SeenPoint {
+        double x, y, slope;
+    };
+    static SeenPoint front_corner(const FullSteering& steering, const FullMove& move) {
+        const double y = move.y + steering.problem.front_setback;
+        return {move.x, y, move.x * move.x_slope + y * move.y_slope};
+    }
+    static SeenPoint rear_corner(const FullSteering& steering, const FullMove& move) {
+        const double x = move.x + steering.problem.length;
+        const double y = move.y + steering.problem.rear_setback;
+        return {x, y, x * move.x_slope + y * move.y_slope};
+    }
+    static const TurningEdge& edge_of(const FullSteering& steering, const FullMove& move, int edge) {
+        return (move.backward ? steering.backward : steering.forward).edges[static_cast<std::size_t>(edge)];
+    }
+
+    /// How far a neighbour's corner passes the far end of an edge, and the near side of its line. [m]
+    template <SeenPoint corner(const FullSteering&, const FullMove&)>
+    static Sample passes_end(const FullSteering& steering, const FullMove& move, int edge) {
+        const TurningEdge& seen = edge_of(steering, move, edge);
+        const SeenPoint at = corner(steering, move);
+        const double across = std::sqrt(at.x * at.x + at.y * at.y - seen.distance * seen.distance);
+        return {across - (seen.to + steering.problem.touch), at.slope / across};
+    }
+    template <SeenPoint corner(const FullSteering&, const FullMove&)>
+    static Sample passes_line(const FullSteering& steering, const FullMove& move, int edge) {
+        const double off = edge_of(steering, move, edge).distance;
+        const SeenPoint at = corner(steering, move);
+        const double reach = at.x * at.x + at.y * at.y;
+        const double distance = std::sqrt(reach);
+        return {(reach - off * off) / (distance + std::abs(off)), at.slope / distance};
+    }
+
+    /// A corner of the body that swings up in front of the rear side rolls on along it and then along the edges above, as far
+    /// as these draw away from the turning centre.
+    [[nodiscard]] bool rolls_on(const FullMove& a, const FullMove& b) const {
+        const FullMove& by_corner = a.meets == Meets::rear_side ? a : b;
+        const FullMove& by_edge = a.meets == Meets::rear_side ? b : a;
+        if (by_corner.meets != Meets::rear_side || by_edge.meets != Meets::rear_corner) return false;
+        const auto count = static_cast<int>(steering_.problem.body.corners().size());
+        for (int i = 0; i < count; ++i) {
+            const int edge = (by_corner.part + i) % count;
+            if (!(edge_of(steering_, by_edge, edge).from > 0.0)) return false;
+            if (edge == by_edge.part) return true;
+        }
+        return false;
+    }
+
+    /// Where does a neighbour's corner that one of two moves meets, and the other does not, get past the body? At the end of
+    /// the edges that draw away from the turning centre, or where they come nearest to it. True if the piece asks for it.
+    bool seek_missed_corner(Piece& piece, std::size_t n, const FullMove& a, const FullMove& b) {
+        for (const FullMove* met : {&a, &b}) {
+            const bool front = met->meets == Meets::front_corner;
+            if (!front && met->meets != Meets::rear_corner) continue;
+            const auto count = static_cast<int>(steering_.problem.body.corners().size());
+            const auto edge = [&](int index) { return edge_of(steering_, *met, (index + count) % count); };
+            int last = met->part;
+            while (last < met->part + count && edge(last + 1).from > 0.0) ++last;
+            int nearest = met->part;
+            while (nearest > met->part - count && edge(nearest).from > 0.0) --nearest;
+            const auto seek = [&](Quantity passes, int index) {
+                const int own = (index + count) % count;
+                if (!(passes(steering_, a, own).value * passes(steering_, b, own).value < 0.0)) return false;
+                seek_root(piece, n, passes, own);
+                return true;
+            };
+            if (seek(front ? passes_end<front_corner> : passes_end<rear_corner>, last) ||
+                seek(front ? passes_line<front_corner> : passes_line<rear_corner>, nearest))
+                return true;
+        }
+        return false;
     }
 
     /// Finishes a piece, or asks for what splits it until its ends tell all.
@@ -317,10 +402,15 @@ private:
             if (second < 0.0) return seek_root(piece, n, second_graze);
             if (!alike && jump_between(a, b)) {
                 for (const Quantity clears : {tail_clears, nose_clears})
-                    if (clears(steering_, a).value * clears(steering_, b).value < 0.0)
+                    if (clears(steering_, a, 0).value * clears(steering_, b, 0).value < 0.0)
                         return seek_root(piece, n, clears);
-                return split(piece, 0.5);
+                if (!rolls_on(a, b)) {
+                    if (seek_missed_corner(piece, n, a, b)) return;
+                    return split(piece, 0.5);
+                }
             }
+            if (alike && a.part != b.part && seek_missed_corner(piece, n, a, b))
+                return;  // the tail flies on past an edge
             if (first > 0.0 && !keeps_sign(first_graze(steering_, a), first_graze(steering_, b), width, smooth))
                 return split_within(piece, first_graze(steering_, a), first_graze(steering_, b), smooth);
             if (second > 0.0 && !keeps_sign(second_graze(steering_, a), second_graze(steering_, b), width, smooth))
@@ -376,14 +466,15 @@ private:
     }
 
     /// Splits at the root of a quantity of move n, as close as rounding lets it be told.
-    void seek_root(Piece& piece, std::size_t n, Quantity quantity) {
-        Root& root = piece.root = {};
+    void seek_root(Piece& piece, std::size_t n, Quantity quantity, int edge = 0) {
+        Root& root = piece.root.emplace();
         root.n = n;
         root.quantity = quantity;
+        root.edge = edge;
         root.a = piece.left.heading;
         root.b = piece.right.heading;
-        root.at_a = quantity(steering_, move(piece.left, n));
-        root.at_b = quantity(steering_, move(piece.right, n));
+        root.at_a = quantity(steering_, move(piece.left, n), edge);
+        root.at_b = quantity(steering_, move(piece.right, n), edge);
         root.left_is_out = root.at_a.value > 0.0;
         root.two_ago = root.one_ago = 16.0 * (root.b - root.a);
         step_to_root(piece);
@@ -392,7 +483,7 @@ private:
     /// Newton from the better end, each step a thousandth longer so that the root comes to lie between; bisection where that
     /// does not help.
     void step_to_root(Piece& piece) {
-        Root& root = piece.root;
+        Root& root = *piece.root;
         const double width = root.b - root.a;
         if (root.steps == 200 || !(width > least_gap)) return ask_for_sides(piece);
         const bool from_a = std::abs(root.at_a.value) < std::abs(root.at_b.value);
@@ -416,8 +507,8 @@ private:
     }
 
     void take_step(Piece& piece, const Run& run) {
-        Root& root = piece.root;
-        const Sample value = root.quantity(steering_, move(run, root.n));
+        Root& root = *piece.root;
+        const Sample value = root.quantity(steering_, move(run, root.n), root.edge);
         const bool other_event =
             std::isnan(value.value) || (root.nearly_there && run.changes < static_cast<int>(root.n));
         if (other_event) {  // leave it to the parts
@@ -438,15 +529,15 @@ private:
 
     void ask_for_sides(Piece& piece) {
         piece.asks = Asks::sides;
-        if (piece.root.before.count == 0) ask(piece.root.a);
-        if (piece.root.after.count == 0) ask(piece.root.b);
+        if (piece.root->before.count == 0) ask(piece.root->a);
+        if (piece.root->after.count == 0) ask(piece.root->b);
         if (asked_.size() == piece.asked) split_beside_root(piece);
     }
 
     void split_beside_root(const Piece& piece) {
-        emit(piece.root.before);
-        pieces_.push_back({piece.root.after, piece.right});
-        pieces_.push_back({piece.left, piece.root.before});
+        emit(piece.root->before);
+        pieces_.push_back({piece.root->after, piece.right});
+        pieces_.push_back({piece.left, piece.root->before});
     }
 
     void emit(const Run& run) { leaves_.push_back({run.heading, run.changes}); }
