@@ -135,6 +135,7 @@ Question open(const QueryOptions& options) {
 
 EntryOptions entry_options(const AtlasOptions& options) {
     EntryOptions entry;
+    entry.prove = false;
     entry.max_changes = options.max_changes;
     entry.min_range = options.min_range;
     entry.driving = options.driving;

@@ -21,6 +21,7 @@ const Subcommands subcommands = {
         {"min-slot", "How small a slot may be, for so many direction changes.", parse_min_slot},
         {"park", "From where the car stands into any slot, and what to do.", parse_park},
         {"leave", "How a parked car gets out with the fewest direction changes.", parse_leave},
+        {"drive", "The plan of park, driven by a car that errs.", parse_drive},
         {"atlas", "Answers for many cars and slots, computed beforehand.", parse_atlas},
         {"cars", "The cars snug knows, and what a car file says.", parse_cars},
         {"paper", "The paper's figures and claims again, beside the exact answers.", parse_paper},

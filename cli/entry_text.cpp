@@ -1,7 +1,9 @@
 // The answer in plain words: where to put the car, how exactly, and what to do move by move.
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 
 #include "cli/entry.hpp"
 #include "cli/table.hpp"
@@ -177,28 +179,42 @@ std::string ranges(const Answer& answer) {
            (rest == 0 ? "" : "  and " + std::to_string(rest) + " more; --format csv lists all\n");
 }
 
+/// "12 slivers of headings, 3e-9 deg wide in all": what the proof leaves open; empty if nothing.
+std::string slivers(const Answer& answer) {
+    if (answer.undecided.empty()) return "";
+    double width = 0.0;
+    for (const Headings& part : answer.undecided) width += part.max - part.min;
+    std::ostringstream text;
+    text << answer.undecided.size() << (answer.undecided.size() == 1 ? " sliver" : " slivers") << " of headings, "
+         << std::setprecision(2) << width / degree << " deg wide in all";
+    return text.str();
+}
+
 /// What is proved about entry headings; nothing where no proof was asked for, or where the car has no room to begin with.
 std::string proof(const EntryQuestion& question, const Answer& answer) {
     const Shortfall lacks = shortfall(question.car, question.slot, question.options.driving);
     if (!question.options.prove || lacks.length > 0.0 || lacks.width > 0.0) return "";
-    std::string text;
-    if (answer.proved && answer.parkable()) {
-        text = "Proved: no entry heading needs fewer direction changes.\n";
-    } else if (answer.proved) {
-        text = "Proved: no heading is missed.\n";
-    } else if (answer.lower_bound > 0) {
-        text = "Proved only: no entry heading parks with " + std::string(answer.lower_bound == 1 ? "" : "up to ") +
-               changes(answer.lower_bound - 1) + ".\n";
-    } else {
-        text = "That no heading is missed is not proved.\n";
+    const std::string open = slivers(answer);
+    const std::string but_for = open.empty() ? "" : ", but for " + open + "\n(--format json lists them)";
+    if (answer.proved) {
+        const bool fewest = answer.parkable() && !question.options.max_changes;
+        return std::string("Proved: no ") +
+               (fewest ? "entry heading needs fewer direction changes" : "entry heading that parks is missed") +
+               but_for + ".\n";
     }
-    if (!answer.undecided.empty()) {
-        double width = 0.0;
-        for (const Headings& part : answer.undecided) width += part.max - part.min;
-        text += "Undecided: " + std::to_string(answer.undecided.size()) +
-                (answer.undecided.size() == 1 ? " sliver" : " slivers") + " of headings, " +
-                fixed(width / degree, decimals(width)) + " deg wide in all; --format json lists them.\n";
-    }
+    // Sure up to some count, open from the next one on.
+    const int first_open = answer.lower_bound;
+    const int last_open = answer.parkable() && !question.options.max_changes
+                              ? *answer.direction_changes - 1
+                              : question.options.max_changes.value_or(200);
+    std::string text =
+        "Not proved: whether " + std::string(answer.parkable() ? "another" : "an") + " entry heading parks with ";
+    text += first_open < last_open ? std::to_string(first_open) + " to " + changes(last_open) : changes(last_open);
+    text += " is not known.\n";
+    if (first_open > 0)
+        text +=
+            "Proved: none parks with " + std::string(first_open == 1 ? "" : "up to ") + changes(first_open - 1) + ".\n";
+    if (!open.empty()) text += "Nothing is claimed of " + open + "\n(--format json lists them).\n";
     return text;
 }
 

@@ -24,13 +24,6 @@ constexpr Quantity distance = {" m", 0.0, limits::longest};
 constexpr Quantity coordinate = {" m", -limits::farthest, limits::farthest};
 constexpr Quantity angle = {" rad", -full_turn, full_turn};
 
-Point point(const std::string& option, const std::string& text) {
-    const std::vector<std::string> parts = split(text, ',');
-    if (parts.size() != 2)
-        throw Error(option + ": " + in_quotes(text) + " is no point; write X,Y in metres, for example 12.5,-3");
-    return {number(option, parts[0], coordinate), number(option, parts[1], coordinate)};
-}
-
 /// One side of the slot, given itself or by what it has beyond the car's.
 double side_of_slot(const Option<double>& direct, const Option<double>& beyond, double car_size) {
     if (direct && beyond)
@@ -49,6 +42,13 @@ void check_setback(const Option<double>& setback, double width) {
 }
 
 }  // namespace
+
+Point point(const std::string& option, const std::string& text) {
+    const std::vector<std::string> parts = split(text, ',');
+    if (parts.size() != 2)
+        throw Error(option + ": " + in_quotes(text) + " is no point; write X,Y in metres, for example 12.5,-3");
+    return {number(option, parts[0], coordinate), number(option, parts[1], coordinate)};
+}
 
 Pose pose(const std::string& option, const std::string& text) {
     const std::vector<std::string> parts = split(text, ',');

@@ -41,6 +41,12 @@ std::string park_json(const ParkQuestion& question, const ParkAnswer& answer) {
     return write(park_as_json(question.car, question.scene, question.options, answer));
 }
 
+std::string drive_json(const ParkQuestion& question, const DriveOptions& options, const DriveAnswer& answer) {
+    if (question.street)
+        return write(drive_as_json(question.car, *question.street, question.scene.start, options, answer));
+    return write(drive_as_json(question.car, question.scene, options, answer));
+}
+
 std::string atlas_json(const EntryQuestion& question, Strategy strategy, const Answer& answer, const AtlasCell& cell) {
     Json json = strategy == Strategy::fewest ? fewest_object(question, answer)
                                              : as_json(question.car, question.slot, question.options, answer);

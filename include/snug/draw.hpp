@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "snug/car.hpp"
 #include "snug/entry.hpp"
@@ -27,6 +28,7 @@ std::string_view called(Obstacle obstacle);
 /// What the answer was asked with.
 struct PictureOptions {
     Driving driving = {};
+    std::vector<std::vector<Pose>> tracks = {};  ///< of a car that errs, below the maneuver of draw_park()
 };
 
 // All pictures lie in the slot's own frame with the road at the top, whatever the slot's corner and heading. A slot on

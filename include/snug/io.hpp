@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "snug/drive.hpp"
 #include "snug/entry.hpp"
 #include "snug/fewest.hpp"
 #include "snug/min_slot.hpp"
@@ -65,6 +66,12 @@ Json park_as_json(const Car& car, const Street& street, const Pose& start, const
 Json park_as_json(const Car& car, const Scene& scene, const ParkOptions& options, const ParkAnswer& answer);
 /// The same as CSV: a row for every move.
 std::string park_as_csv(const Place& place, const ParkAnswer& answer);
+/// The answer of `snug drive --format json`, in a street or in a scene.
+Json drive_as_json(const Car& car, const Street& street, const Pose& start, const DriveOptions& options,
+                   const DriveAnswer& answer);
+Json drive_as_json(const Car& car, const Scene& scene, const DriveOptions& options, const DriveAnswer& answer);
+/// The same as CSV: a row for every run.
+std::string drive_as_csv(const DriveAnswer& answer);
 /// A street's slot, and a scene as a file of its own.
 Json as_json(const Street& street);
 Json as_json(const Scene& scene);

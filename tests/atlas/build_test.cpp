@@ -111,7 +111,8 @@ TEST(AtlasBuild, CellsAreWhatEntryAnswers) {
         SCOPED_TRACE(database.plan().cars[car].name() + " " + std::to_string(length) + " x " + std::to_string(width));
         const std::optional<CellAnswer> stored = database.cell(car, width, length);
         ASSERT_TRUE(stored);
-        const Answer fresh = entry(*find_car(database.plan().cars[car].name()), Slot({length, width}));
+        const Answer fresh =
+            entry(*find_car(database.plan().cars[car].name()), Slot({length, width}), {.prove = false});
         ASSERT_EQ(stored->direction_changes, fresh.direction_changes);
         ASSERT_EQ(stored->ranges.size(), fresh.ranges.size());
         for (std::size_t k = 0; k < fresh.ranges.size(); ++k) {

@@ -160,6 +160,7 @@ TEST(Fewest, BoundsOfRandomCasesAgreeWithTheirManeuversAndWithFullSteering) {
                       << oracle::command_line(asked) << '\n';
         }
         snug::EntryOptions full_steering;
+        full_steering.prove = false;
         full_steering.driving = asked.driving;
         const snug::Answer max_steer = entry(Car(asked.car), Slot(asked.slot), full_steering);
         if (asked.driving.enter == snug::Enter::backward && max_steer.parkable() &&
