@@ -153,9 +153,9 @@ std::string alternatives(const ParkQuestion& question, const ParkAnswer& answer)
         };
         for (const Maneuver& other : answer.alternatives) {
             if (aslant(other) > aslant(*answer.maneuver) - more) continue;
-            straighter = "\nEnding straight takes " + std::to_string(other.direction_changes()) +
-                         " changes: with " + std::to_string(*answer.direction_changes) + " it ends " +
-                         fixed(aslant(*answer.maneuver), 1) + " deg aslant.\n";
+            straighter = "\nEnding straight takes " + std::to_string(other.direction_changes()) + " changes: with " +
+                         std::to_string(*answer.direction_changes) + " it ends " + fixed(aslant(*answer.maneuver), 1) +
+                         " deg aslant.\n";
             break;
         }
     }

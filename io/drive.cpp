@@ -9,12 +9,12 @@
 namespace snug {
 namespace {
 
-Json list_of(const Pose& pose) { return Json::array({pose.x, pose.y, pose.heading}); }
+Json x_y_heading(const Pose& pose) { return Json::array({pose.x, pose.y, pose.heading}); }
 
 void add_answer(Json& json, const Pose& start, const DriveOptions& options, const DriveAnswer& answer) {
     json["start"] = as_json(start);
-    json["sensing"] = list_of(options.errors.sensing);
-    json["bias"] = list_of(options.errors.bias);
+    json["sensing"] = x_y_heading(options.errors.sensing);
+    json["bias"] = x_y_heading(options.errors.bias);
     json["actuation"] = Json::array({options.errors.distance, options.errors.steering});
     json["rate"] = options.rate;
     json["runs"] = answer.runs.size();
