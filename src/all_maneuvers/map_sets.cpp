@@ -195,7 +195,9 @@ InnerMap::InnerMap(const ChartPlace& place, double h, int most, const Watching& 
 std::vector<Band> InnerMap::measure_columns(const Watching& watch) {
     std::vector<Band> parked;
     const double r = place_.radius;
-    for (int d = first_column_; d <= last_column_; ++d) level_.push_back(r * cosine_of(sine(d)));
+    // One more on either side: steps are looked at before it is known that they stay in the chart.
+    for (int d = first_column_ - 1; d <= last_column_ + 1; ++d)
+        level_.push_back(r * cosine_of(std::clamp(sine(d), -1.0, 1.0)));
     ChartPlace swept = place_;
     swept.parked.clear();
     swept.region.clear();
@@ -227,9 +229,9 @@ std::vector<Band> InnerMap::measure_columns(const Watching& watch) {
             }
             return bands_at(swept, 0.0);
         };
-        const auto at = [&](int column) { return level_[static_cast<std::size_t>(column - first_column_)]; };
         const bool has_left = d<last_column_, has_right = d> first_column_;
-        const double up_left = has_left ? at(d) - at(d + 1) : 0.0, up_right = has_right ? at(d - 1) - at(d) : 0.0;
+        const double up_left = has_left ? level(d) - level(d + 1) : 0.0,
+                     up_right = has_right ? level(d - 1) - level(d) : 0.0;
         const Pose left_side = {h_ / 2.0, up_left, heading + after},
                    right_side = {h_ / 2.0, up_right, heading - before};
         if (has_left) measure(to_left, d, sweeps({start, left_side}, after, 1.0));

@@ -76,7 +76,9 @@ public:
     [[nodiscard]] double h() const { return h_; }
     [[nodiscard]] double radius() const { return place_.radius; }
     [[nodiscard]] double sine(int column) const { return column * sine_step_; }
-    [[nodiscard]] double level(int column) const { return level_[static_cast<std::size_t>(column - first_column_)]; }
+    [[nodiscard]] double level(int column) const {
+        return level_[static_cast<std::size_t>(column - first_column_ + 1)];
+    }
     [[nodiscard]] std::size_t bytes() const;
 
     std::size_t updates = 0;
