@@ -75,9 +75,8 @@ void leave_out_noise(const FullSteering& steering, std::vector<CountedHeadings>&
 /// Where the proof is to cut first: around the edges found, and here and there.
 ProofHints hints_from(const std::vector<CountedHeadings>& found, int changes) {
     constexpr double beside = 1.5e-12;
-    constexpr double end = 1.57079632679489661923;
     ProofHints hints{changes, {}};
-    for (int i = 1; i < 16; ++i) hints.headings.push_back(end * i / 16);
+    for (int i = 1; i < 16; ++i) hints.headings.push_back(limits::quarter_turn * i / 16);
     for (const CountedHeadings& range : found)
         hints.headings.insert(hints.headings.end(),
                               {range.min - beside, range.min + beside, range.max - beside, range.max + beside});
