@@ -63,6 +63,8 @@ pictures: setup
 	    --draw docs/pictures/park-perpendicular-2.5-6.0.png
 	build/release/snug park --car renault-zoe --length 4.8 --width 2.0 --road 3.5 --from 2,1.75,0 \
 	    --draw docs/pictures/park-parallel-4.8x2.0.png
+	build/release/snug park --car renault-zoe --length 5 --width 2.3 --angle 90 --road 5 --enter forward --view map \
+	    --draw docs/pictures/park-map-perpendicular-2.3-5.0-nose.png
 	for car in mid-size renault-zoe opel-corsa vw-transporter mercedes-amg-gt; do for strategy in max-steer fewest; do \
 	    build/release/snug min-slot --car $$car --extra-width 0.04:0.48:0.04 --max-changes 1,2,5,10 --strategy $$strategy \
 	        $$(test $$strategy = fewest && echo --resolution 0.002) --format csv -o build/pictures/$$car-$$strategy.csv \

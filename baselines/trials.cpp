@@ -352,7 +352,7 @@ ReversedTrialsByGoal reversed_trials_by_goal(const Car& car, const Slot& slot, i
     };
     ReversedTrialsByGoal by_goal;
     by_goal.deduced = changes({});
-    const Answer best = entry(car, slot);
+    const Answer best = entry(car, slot, {.prove = false});
     if (best.maneuver && best.direction_changes <= max_changes)
         by_goal.found = changes({best.maneuver->goal(), reverse_of(best.maneuver->moves.back().direction)});
     return by_goal;

@@ -1,6 +1,8 @@
 // What parking from the street costs: until there is a maneuver, until it is proved, and the sweep of sets by the cell.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,12 +40,22 @@ std::vector<Case> cases() {
     return {parallel("parallel-6.0x2.0-3.5", 6.0, 2.0, 3.5),
             parallel("parallel-5.2x2.0-3.5", 5.2, 2.0, 3.5),
             parallel("parallel-4.8x2.0-3.5", 4.8, 2.0, 3.5),
+            parallel("parallel-5.2x1.9-3.5", 5.2, 1.9, 3.5),
             parallel("parallel-5.2x2.0-2.5", 5.2, 2.0, 2.5),
+            parallel("parallel-5.2x2.0-2.2", 5.2, 2.0, 2.2),
             perpendicular("perpendicular-2.5-6.0", 2.5, 6.0, Enter::backward),
             perpendicular("perpendicular-2.5-6.0-nose", 2.5, 6.0, Enter::forward),
+            perpendicular("perpendicular-2.3-5.0", 2.3, 5.0, Enter::backward),
             perpendicular("perpendicular-2.3-5.0-nose", 2.3, 5.0, Enter::forward),
             perpendicular("perpendicular-2.3-4.0", 2.3, 4.0, Enter::backward),
+            perpendicular("perpendicular-2.3-4.0-nose", 2.3, 4.0, Enter::forward),
+            perpendicular("perpendicular-2.1-3.5-nose", 2.1, 3.5, Enter::forward),
             perpendicular("perpendicular-2.1-3.0-nose", 2.1, 3.0, Enter::forward)};
+}
+
+Case named(const std::string& name) {
+    const std::vector<Case> all = cases();
+    return *std::find_if(all.begin(), all.end(), [&](const Case& c) { return c.name == name; });
 }
 
 void ask(benchmark::State& state, const Case& c, const ParkOptions& options) {
@@ -88,6 +100,46 @@ void sweep(benchmark::State& state, const Case& c, double spacing) {
     state.SetItemsProcessed(static_cast<std::int64_t>(lattice.updates));
 }
 
+/// The map of a street, swept whole.
+void map(benchmark::State& state, const Case& c, double spacing) {
+    const Car car = find_car("renault-zoe").value();
+    ParkMapOptions options;
+    options.spacing = spacing;
+    std::size_t bytes = 0;
+    for (auto _ : state) bytes = ParkMap(car, c.street, options).bytes();
+    state.counters["MB"] = 1e-6 * static_cast<double>(bytes);
+}
+
+/// Poses all over the street, one after the other.
+std::vector<Pose> poses_of(const Case& c) {
+    std::vector<Pose> poses;
+    std::uint64_t state = 1;
+    const auto next = [&] {
+        state = state * 6364136223846793005U + 1442695040888963407U;
+        return static_cast<double>(state >> 11) * 0x1p-53;
+    };
+    for (int i = 0; i < 4096; ++i)
+        poses.push_back({-8.0 + 14.0 * next(), c.street.road.value_or(6.0) * next(), next() - 0.5});
+    return poses;
+}
+
+void look_up(benchmark::State& state, const Case& c) {
+    const ParkMap of(find_car("renault-zoe").value(), c.street);
+    const std::vector<Pose> poses = poses_of(c);
+    std::size_t i = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(of.at(poses[i++ % poses.size()]));
+}
+
+void next_maneuver(benchmark::State& state, const Case& c) {
+    const ParkMap of(find_car("renault-zoe").value(), c.street);
+    std::vector<Pose> poses;
+    for (const Pose& pose : poses_of(c))
+        if (of.at(pose).first) poses.push_back(pose);
+    if (poses.empty()) return state.SkipWithError("no maneuver is known from anywhere");
+    std::size_t i = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(of.maneuver(poses[i++ % poses.size()]));
+}
+
 [[maybe_unused]] const bool added = [] {
     for (const Case& c : cases()) {
         benchmark::RegisterBenchmark(("park/first/" + c.name).c_str(), [c](benchmark::State& state) {
@@ -99,12 +151,24 @@ void sweep(benchmark::State& state, const Case& c, double spacing) {
         benchmark::RegisterBenchmark(("park/whole/" + c.name).c_str(), [c](benchmark::State& state) {
             whole(state, c);
         })->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(("park/map/" + c.name).c_str(), [c](benchmark::State& state) {
+            map(state, c, 0.0);
+        })->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(("park/look-up/" + c.name).c_str(), [c](benchmark::State& state) {
+            look_up(state, c);
+        })->Unit(benchmark::kMicrosecond);
+        benchmark::RegisterBenchmark(("park/next-maneuver/" + c.name).c_str(), [c](benchmark::State& state) {
+            next_maneuver(state, c);
+        })->Unit(benchmark::kMillisecond);
     }
+    benchmark::RegisterBenchmark("park/map/parallel-5.2x2.0-3.5/40mm", [](benchmark::State& state) {
+        map(state, named("parallel-5.2x2.0-3.5"), 0.04);
+    })->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark("park/sweep/parallel-4.8x2.0-3.5/20mm", [](benchmark::State& state) {
-        sweep(state, cases()[2], 0.02);
+        sweep(state, named("parallel-4.8x2.0-3.5"), 0.02);
     })->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark("park/sweep/perpendicular-2.5-6.0/20mm", [](benchmark::State& state) {
-        sweep(state, cases()[4], 0.02);
+        sweep(state, named("perpendicular-2.5-6.0"), 0.02);
     })->Unit(benchmark::kMillisecond);
     return true;
 }();

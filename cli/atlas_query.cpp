@@ -13,6 +13,7 @@
 #include "sentences/check.hpp"
 #include "sentences/spelling.hpp"
 #include "snug/atlas_database.hpp"
+#include "snug/draw.hpp"
 #include "snug/error.hpp"
 
 namespace snug::cli {
@@ -21,7 +22,7 @@ namespace {
 constexpr const char* purpose =
     "What an atlas says of one car and one slot. Between grid points the answer is\n"
     "safe: it is the maneuver of the nearest stored slot that is no longer and no\n"
-    "wider, which therefore fits.";
+    "wider, which therefore fits, in slots larger than all that are stored, too.";
 
 constexpr const char* examples =
     "Lengths are in metres, angles in radians. FILE is a database that snug atlas\n"
@@ -35,13 +36,12 @@ constexpr const char* examples =
 
 std::string size(double metres) { return spelled(metres) + " m"; }
 
-void check_in_grid(const std::string& option, double asked, double least, double most) {
-    if (asked >= least && asked <= most) return;
+/// Where to look: what is larger than all that is stored is answered by the largest, which fits into it.
+double in_grid(const std::string& option, double asked, double least, double most) {
+    if (asked >= least) return std::min(asked, most);
     const std::string what = option.substr(2);
     throw Error(option + ": " + size(asked) + " is outside the atlas, which has " + what + "s from " + size(least) +
-                " to " + size(most) +
-                (asked > most ? "; ask for " + spelled(most) + ", which is safe in a larger slot as well"
-                              : "; smaller slots have to be built first"));
+                " to " + size(most) + "; smaller slots have to be built first");
 }
 
 /// The stored values next to the one asked for, which lies among them: two, or one where it is stored itself.
@@ -76,6 +76,8 @@ struct Asked {
     std::string bytes;  ///< behind `atlas` when it comes from a database
     std::unique_ptr<Atlas> atlas;
     std::size_t car = 0;
+    double length = 0.0;  ///< where to look [m]
+    double width = 0.0;
 };
 
 struct Question {
@@ -90,12 +92,14 @@ struct QueryOptions {
         : file(options, "The atlas: a database, or an exported file."),
           car(options.group("Car").text("--car", "CAR", "A name of the atlas.")),
           slot(options),
-          output(options, "text (default) or json.") {}
+          output(options, "text (default) or json."),
+          draw(draw_option(options)) {}
 
     AtlasFile file;
     Option<std::string> car;
     SlotOptions slot;
     OutputOptions output;
+    Option<std::string> draw;
 };
 
 Question open(const QueryOptions& options) {
@@ -111,8 +115,8 @@ Question open(const QueryOptions& options) {
         asked.car = find_in_atlas(name, names);
         const Car car = atlas.car(asked.car);
         const Slot wanted(options.slot.dimensions(car));
-        check_in_grid("--length", wanted.length(), atlas.length(0), atlas.length(atlas.lengths() - 1));
-        check_in_grid("--width", wanted.width(), atlas.width(0), atlas.width(atlas.widths() - 1));
+        asked.length = in_grid("--length", wanted.length(), atlas.length(0), atlas.length(atlas.lengths() - 1));
+        asked.width = in_grid("--width", wanted.width(), atlas.width(0), atlas.width(atlas.widths() - 1));
         return {car, wanted, std::move(asked)};
     }
     const AtlasDatabase database(path);
@@ -122,15 +126,16 @@ Question open(const QueryOptions& options) {
     const std::size_t place = find_in_atlas(name, names);
     const Car car = plan.cars[place];
     const Slot wanted(options.slot.dimensions(car));
-    check_in_grid("--length", wanted.length(), plan.lengths.front(), plan.lengths.back());
-    check_in_grid("--width", wanted.width(), plan.widths.front(), plan.widths.back());
-    asked.bytes = copied(database, place, wanted.length(), wanted.width());
+    asked.length = in_grid("--length", wanted.length(), plan.lengths.front(), plan.lengths.back());
+    asked.width = in_grid("--width", wanted.width(), plan.widths.front(), plan.widths.back());
+    asked.bytes = copied(database, place, asked.length, asked.width);
     asked.atlas = std::make_unique<Atlas>(std::as_bytes(std::span<const char>(asked.bytes)));
     return {car, wanted, std::move(asked)};
 }
 
 EntryOptions entry_options(const AtlasOptions& options) {
     EntryOptions entry;
+    entry.prove = false;
     entry.max_changes = options.max_changes;
     entry.min_range = options.min_range;
     entry.driving = options.driving;
@@ -195,6 +200,12 @@ std::string json(const Question& question, const AtlasAnswer& found) {
     return atlas_json({question.car, question.slot, entry_options(options)}, options.strategy, answer, found.cell);
 }
 
+std::string drawn(const Question& question, const AtlasAnswer& found, PictureFormat format) {
+    const AtlasOptions& options = question.asked.atlas->options();
+    const Answer answer = options.strategy == Strategy::fewest ? as_fewest(found, question) : as_entry(found, question);
+    return draw_maneuver(question.car, question.slot, answer, format, {options.driving});
+}
+
 int exit_code(AtlasVerdict verdict) {
     return verdict == AtlasVerdict::parks ? solved : verdict == AtlasVerdict::cannot_park ? cannot_park : undecided;
 }
@@ -210,11 +221,19 @@ Action parse_atlas_query(const Arguments& arguments) {
     const std::string file = asked_for.file.path();
     const std::string path = asked_for.output.path();
     refuse_atlas_itself(path, file);
-    return [question = std::make_shared<const Question>(open(asked_for)), format, file, path] {
+    const std::optional<PictureFile> picture = picture_file(asked_for.draw, asked_for.output);
+    if (picture) refuse_atlas_itself(picture->path, file);
+    return [question = std::make_shared<const Question>(open(asked_for)), format, file, path, picture] {
         const Asked& asked = question->asked;
-        const AtlasAnswer found = asked.atlas->look_up(asked.car, question->slot.length(), question->slot.width());
+        AtlasAnswer found = asked.atlas->look_up(asked.car, asked.length, asked.width);
         if (found.verdict == AtlasVerdict::damaged)
             throw Error(in_quotes(file) + ": the part that holds the answer is damaged; copy or export it again");
+        if (question->slot.length() > asked.length || question->slot.width() > asked.width) {
+            found.lower_bound = 0;  // nothing is known of larger slots but that what is stored fits
+            if (found.verdict == AtlasVerdict::cannot_park) found.verdict = AtlasVerdict::undecided;
+        }
+        if (picture && found.verdict == AtlasVerdict::parks)
+            write_file("--draw", picture->path, drawn(*question, found, picture->format));
         put_out(path, format == Format::json ? json(*question, found) : text(*question, found));
         return exit_code(found.verdict);
     };

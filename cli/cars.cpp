@@ -52,10 +52,15 @@ std::string car_text(const Car& car) {
                   {"front", metres(car.front()), "d_f, from the rear axle to the front"},
                   {"rear", metres(car.rear()), "d_r, from the rear axle to the back"},
                   {"wheelbase", metres(car.wheelbase()), "b, between the axles"},
+                  {"overhangs", metres(car.front() - car.wheelbase()),
+                   "in front, and " + metres(car.rear()) + " behind the rear axle"},
                   {"max steer", fixed(car.max_steer() / degree, 3) + " deg", "phi_max, largest steering angle"},
                   {"turning radius", metres(car.turning_radius()), "r, of the rear axle centre"},
-                  {"curb to curb", metres(car.curb_to_curb()), "d, diameter of the outer front wheel's circle"}},
-                 "lrl");
+                  {"curb to curb", metres(car.curb_to_curb()), "d, diameter of the outer front wheel's circle"},
+                  {"wall to wall", metres(car.wall_to_wall()), "diameter of the body's circle"}},
+                 "lrl") +
+           (car.is_rectangle() ? ""
+                               : "  an outline of " + std::to_string(car.outline().corners().size()) + " corners\n");
 }
 
 }  // namespace

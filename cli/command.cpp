@@ -4,8 +4,11 @@
 #include <exception>
 #include <new>
 
+#include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
+#include "sentences/spelling.hpp"
+#include "snug/error.hpp"
 
 namespace snug::cli {
 namespace {
@@ -18,6 +21,7 @@ const Subcommands subcommands = {
         {"min-slot", "How small a slot may be, for so many direction changes.", parse_min_slot},
         {"park", "From where the car stands into any slot, and what to do.", parse_park},
         {"leave", "How a parked car gets out with the fewest direction changes.", parse_leave},
+        {"drive", "The plan of park, driven by a car that errs.", parse_drive},
         {"atlas", "Answers for many cars and slots, computed beforehand.", parse_atlas},
         {"cars", "The cars snug knows, and what a car file says.", parse_cars},
         {"paper", "The paper's figures and claims again, beside the exact answers.", parse_paper},
@@ -31,14 +35,45 @@ const Subcommands subcommands = {
 
 }  // namespace
 
-Action say(const std::string& text) {
-    return [text] {
+namespace {
+
+/// A text to print.
+struct Say {
+    std::string text;
+
+    int operator()() const {
         print(text);
         return solved;
-    };
+    }
+};
+
+/// Which commands have that option, going by their help texts: "snug park or snug leave"; empty when none has.
+std::string commands_with(const std::string& option) {
+    std::vector<std::string> found;
+    if (option.size() < 4 || option.rfind("--", 0) != 0) return "";
+    for (const Command& command : subcommands.commands) {
+        const Action help = command.parse({"--help"});
+        const Say* said = help.target<Say>();
+        if (said != nullptr && said->text.find("  " + option + ' ') != said->text.npos)
+            found.push_back("snug " + std::string(command.name));
+    }
+    return found.empty() ? "" : either(found);
 }
 
-Action parse(const Arguments& arguments) { return choose(subcommands, arguments); }
+}  // namespace
+
+Action say(const std::string& text) { return Say{text}; }
+
+Action parse(const Arguments& arguments) {
+    try {
+        return choose(subcommands, arguments);
+    } catch (const UnknownOption& error) {
+        const std::string elsewhere = commands_with(error.option);
+        if (elsewhere.empty()) throw;
+        throw Error("unknown option " + in_quotes(error.option) + ", which belongs to " + elsewhere +
+                    "; leave it out here");
+    }
+}
 
 int run(const Arguments& arguments) {
     std::string prefix = "snug: ";

@@ -25,6 +25,7 @@ Action parse(const Arguments& arguments);
 Action parse_entry(const Arguments& arguments);
 Action parse_min_slot(const Arguments& arguments);
 Action parse_park(const Arguments& arguments);
+Action parse_drive(const Arguments& arguments);
 Action parse_leave(const Arguments& arguments);
 Action parse_atlas(const Arguments& arguments);
 Action parse_cars(const Arguments& arguments);

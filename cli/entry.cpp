@@ -9,6 +9,7 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/trajectory.hpp"
+#include "cli/way_out.hpp"
 #include "cli/waypoints.hpp"
 #include "io/csv.hpp"
 #include "sentences/check.hpp"
@@ -147,13 +148,21 @@ std::string drawn(const PictureFile& picture, View view, const EntryQuestion& qu
     return draw_maneuver(question.car, question.slot, answer, picture.format, options);
 }
 
+/// Where the strategy cannot park, what can; where it can, and a person reads the answer, whether other maneuvers have fewer
+/// changes.
 std::string written(Format format, const EntryQuestion& question, const Answer& answer) {
+    const bool no = !answer.cancelled && !answer.parkable();
     switch (format) {
-        case Format::json: return entry_json(question, answer);
+        case Format::json: return entry_json(question, answer, no ? any_maneuver(question) : std::nullopt);
         case Format::csv: return entry_csv(answer);
         case Format::text: break;
     }
-    return entry_text(question, answer);
+    const std::string text = entry_text(question, answer);
+    if (answer.cancelled) return text;
+    if (no)
+        return text + way_out_text(question, way_out(question, Strategy::max_steer,
+                                                     question.options.max_changes.value_or(limits::usual_changes)));
+    return text + fewer_text(*answer.direction_changes, any_maneuver(question));
 }
 
 /// Where all parts of an answer go.
@@ -194,13 +203,21 @@ Action fewest_action(const Asked& asked, const EntryQuestion& question) {
     options.resolution = asked.resolution.value_or(0.0);
     options.time_limit = asked.time_limit.value_or(options.time_limit);
     options.progress = show_bounds();
-    const Format format = asked.output.format_without_csv("csv lists ranges of headings, but fewest has none");
+    const Format format = asked.output.format();
     return [question, options, format, files = Files(asked)] {
         const Answer answer = fewest(question.car, question.slot, options);
         if (options.progress) wipe_progress();
-        files.write(question, answer,
-                    format == Format::json ? fewest_json(question, answer)
-                                           : fewest_text(question, options.max_changes, answer));
+        std::string text;
+        if (format == Format::json) {
+            text = fewest_json(question, answer);
+        } else if (format == Format::csv) {
+            text = moves_csv(answer);
+        } else {
+            text = fewest_text(question, options.max_changes, answer);
+            if (!answer.maneuver && answer.proved)
+                text += way_out_text(question, way_out(question, Strategy::fewest, options.max_changes));
+        }
+        files.write(question, answer, text);
         return exit_code(answer);
     };
 }
@@ -211,6 +228,22 @@ std::string entry_csv(const Answer& answer) {
     Csv csv({"heading_min", "heading_max", "direction_changes", "subrange"});
     for (const HeadingRange& range : answer.ranges)
         csv.row(range.min, range.max, range.direction_changes, range.subrange);
+    return csv.text();
+}
+
+std::string moves_csv(const Answer& answer) {
+    Csv csv({"direction", "steering_angle", "length", "start_x", "start_y", "start_heading", "end_x", "end_y",
+             "end_heading", "contact_car", "contact_obstacle"});
+    if (!answer.maneuver) return csv.text();
+    for (const Move& move : answer.maneuver->moves) {
+        std::optional<std::string> part, obstacle;
+        if (move.contact) {
+            part = to_string(move.contact->part);
+            obstacle = to_string(move.contact->obstacle);
+        }
+        csv.row(to_string(move.direction), move.steering_angle, move.length, move.start.x, move.start.y,
+                move.start.heading, move.end.x, move.end.y, move.end.heading, part, obstacle);
+    }
     return csv.text();
 }
 

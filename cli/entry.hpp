@@ -35,5 +35,7 @@ std::string leave_text(const EntryQuestion& question, int max_changes, const Ans
 
 /// One row per range of entry headings.
 std::string entry_csv(const Answer& answer);
+/// One row per move.
+std::string moves_csv(const Answer& answer);
 
 }  // namespace snug::cli

@@ -1,11 +1,15 @@
 // The answer in plain words: where to put the car, how exactly, and what to do move by move.
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 
 #include "cli/entry.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
+#include "sentences/check.hpp"
+#include "snug/draw.hpp"
 
 namespace snug::cli {
 namespace {
@@ -20,32 +24,21 @@ int decimals(double width) {
     return width > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(width / degree))), 3, 12) : 12;
 }
 
-std::string neighbour(Obstacle obstacle) {
-    switch (obstacle) {
-        case Obstacle::front_side: return "front neighbour";
-        case Obstacle::rear_side: return "rear neighbour";
-        case Obstacle::front_corner: return "front slot corner";
-        case Obstacle::rear_corner: return "rear slot corner";
-        case Obstacle::curb: break;
-    }
-    return "curb";
-}
-
 std::string slot_words(const Slot& slot) {
     return "the " + fixed(slot.length(), 3) + " x " + metres(slot.width()) + " slot on the " +
            (slot.side() == Side::right ? "right" : "left");
 }
 
 /// Where the frame is, in the slot frame: how far it keeps from each side, negative when beyond it.
-struct Gaps {
+struct Around {
     double front;
     double rear;
     double curb;
     double road;  ///< how far it stands out into the road
 };
 
-Gaps gaps(const Car& car, const Slot& slot, const Pose& pose) {
-    Gaps gaps = {1e300, 1e300, 1e300, -1e300};
+Around around(const Car& car, const Slot& slot, const Pose& pose) {
+    Around gaps = {1e300, 1e300, 1e300, -1e300};
     for (const Point& in_world : frame(car, pose)) {
         const Point corner = slot.to_slot(in_world);
         gaps.front = std::min(gaps.front, -corner.x);
@@ -70,17 +63,21 @@ double off_parallel(const Slot& slot, const Pose& pose) {
     return std::remainder(slot.to_slot(pose).heading, 2.0 * std::numbers::pi) / degree;
 }
 
+/// What the car is given around it, where a slot is too small for both.
+const char* with_clearance(const EntryQuestion& question) {
+    return question.options.driving.clearance > 0.0 ? " with its clearance" : "";
+}
+
 std::string refusal(const EntryQuestion& question) {
     const EntryOptions& options = question.options;
     const std::string lacking = words(shortfall(question.car, question.slot, options.driving));
     std::string why;
     if (!lacking.empty()) {
-        why =
-            "the slot is " + lacking + " for the car" + (options.driving.clearance > 0.0 ? " with its clearance" : "");
+        why = "the slot is " + lacking + " for the car" + with_clearance(question);
     } else if (options.min_range > 0.0) {
         why = "no range of entry headings at least " + fixed(options.min_range / degree, decimals(options.min_range)) +
-              " deg wide\nparks with " + (options.max_changes == 0 ? "" : "up to ") +
-              changes(options.max_changes.value_or(200));
+              " deg (" + spelled(options.min_range) + " rad) wide\nparks with " +
+              (options.max_changes == 0 ? "" : "up to ") + changes(options.max_changes.value_or(200));
     } else {
         const bool trials = question.baseline && !std::holds_alternative<Stepping>(*question.baseline);
         why = (trials ? "trials do not reach the goal with " : "no entry heading parks with ") +
@@ -96,7 +93,7 @@ std::string entry_position(const EntryQuestion& question, const Answer& answer) 
     const std::string touching = backward ? "front" : "rear";
     const Pose pose = answer.maneuver->entry();
     const Pose in_slot = question.slot.to_slot(pose);
-    const Gaps room = gaps(question.car, question.slot, pose);
+    const Around room = around(question.car, question.slot, pose);
 
     const double heading = std::abs(off_parallel(question.slot, pose));
     const HeadingRange* range = widest_range(answer.ranges, *answer.direction_changes);
@@ -139,7 +136,7 @@ std::string moves(const EntryQuestion& question, const Maneuver& maneuver, const
             until = at_last;
         } else if (move.contact) {
             until = std::string(to_string(move.contact->part)) + (clearance > 0.0 ? " nears " : " meets ") +
-                    neighbour(move.contact->obstacle);
+                    std::string(called(move.contact->obstacle));
         }
         rows.push_back({std::to_string(rows.size()), std::string(to_string(move.direction)),
                         steering(question.car, move.steering_angle), metres(move.length), until});
@@ -150,7 +147,7 @@ std::string moves(const EntryQuestion& question, const Maneuver& maneuver, const
 }
 
 std::string result(const EntryQuestion& question, const Maneuver& maneuver) {
-    const Gaps left = gaps(question.car, question.slot, maneuver.goal());
+    const Around left = around(question.car, question.slot, maneuver.goal());
     return "\nHow it ends\n" +
            table({{"driven", driven(maneuver)},
                   {"swing-out", metres(swept(maneuver, question.slot).y_max) + " into the road at most"},
@@ -182,28 +179,42 @@ std::string ranges(const Answer& answer) {
            (rest == 0 ? "" : "  and " + std::to_string(rest) + " more; --format csv lists all\n");
 }
 
+/// "12 slivers of headings, 3e-9 deg wide in all": what the proof leaves open; empty if nothing.
+std::string slivers(const Answer& answer) {
+    if (answer.undecided.empty()) return "";
+    double width = 0.0;
+    for (const Headings& part : answer.undecided) width += part.max - part.min;
+    std::ostringstream text;
+    text << answer.undecided.size() << (answer.undecided.size() == 1 ? " sliver" : " slivers") << " of headings, "
+         << std::setprecision(2) << width / degree << " deg wide in all";
+    return text.str();
+}
+
 /// What is proved about entry headings; nothing where no proof was asked for, or where the car has no room to begin with.
 std::string proof(const EntryQuestion& question, const Answer& answer) {
     const Shortfall lacks = shortfall(question.car, question.slot, question.options.driving);
     if (!question.options.prove || lacks.length > 0.0 || lacks.width > 0.0) return "";
-    std::string text;
-    if (answer.proved && answer.parkable()) {
-        text = "Proved: no entry heading needs fewer direction changes.\n";
-    } else if (answer.proved) {
-        text = "Proved: no heading is missed.\n";
-    } else if (answer.lower_bound > 0) {
-        text = "Proved only: no entry heading parks with " + std::string(answer.lower_bound == 1 ? "" : "up to ") +
-               changes(answer.lower_bound - 1) + ".\n";
-    } else {
-        text = "That no heading is missed is not proved.\n";
+    const std::string open = slivers(answer);
+    const std::string but_for = open.empty() ? "" : ", but for " + open + "\n(--format json lists them)";
+    if (answer.proved) {
+        const bool fewest = answer.parkable() && !question.options.max_changes;
+        return std::string("Proved: no ") +
+               (fewest ? "entry heading needs fewer direction changes" : "entry heading that parks is missed") +
+               but_for + ".\n";
     }
-    if (!answer.undecided.empty()) {
-        double width = 0.0;
-        for (const Headings& part : answer.undecided) width += part.max - part.min;
-        text += "Undecided: " + std::to_string(answer.undecided.size()) +
-                (answer.undecided.size() == 1 ? " sliver" : " slivers") + " of headings, " +
-                fixed(width / degree, decimals(width)) + " deg wide in all; --format json lists them.\n";
-    }
+    // Sure up to some count, open from the next one on.
+    const int first_open = answer.lower_bound;
+    const int last_open = answer.parkable() && !question.options.max_changes
+                              ? *answer.direction_changes - 1
+                              : question.options.max_changes.value_or(200);
+    std::string text =
+        "Not proved: whether " + std::string(answer.parkable() ? "another" : "an") + " entry heading parks with ";
+    text += first_open < last_open ? std::to_string(first_open) + " to " + changes(last_open) : changes(last_open);
+    text += " is not known.\n";
+    if (first_open > 0)
+        text +=
+            "Proved: none parks with " + std::string(first_open == 1 ? "" : "up to ") + changes(first_open - 1) + ".\n";
+    if (!open.empty()) text += "Nothing is claimed of " + open + "\n(--format json lists them).\n";
     return text;
 }
 
@@ -241,7 +252,8 @@ std::string no_way(const EntryQuestion& question, const char* what, int max_chan
     const std::string car_and_slot =
         name(question.car) + (answer.proved ? " cannot " : " may ") + what + " " + slot_words(question.slot) + ":\n";
     const std::string lacking = words(shortfall(question.car, question.slot, question.options.driving));
-    if (!lacking.empty()) return car_and_slot + "the slot is " + lacking + " for the car.\n";
+    if (!lacking.empty())
+        return car_and_slot + "the slot is " + lacking + " for the car" + with_clearance(question) + ".\n";
     const std::string most = (max_changes == 0 ? "" : "up to ") + changes(max_changes);
     if (answer.proved) return car_and_slot + "no maneuver whatsoever does with " + most + ", which is proved.\n";
     const std::string found = car_and_slot + "no maneuver was found with " + most;

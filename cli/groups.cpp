@@ -24,13 +24,6 @@ constexpr Quantity distance = {" m", 0.0, limits::longest};
 constexpr Quantity coordinate = {" m", -limits::farthest, limits::farthest};
 constexpr Quantity angle = {" rad", -full_turn, full_turn};
 
-Point point(const std::string& option, const std::string& text) {
-    const std::vector<std::string> parts = split(text, ',');
-    if (parts.size() != 2)
-        throw Error(option + ": " + in_quotes(text) + " is no point; write X,Y in metres, for example 12.5,-3");
-    return {number(option, parts[0], coordinate), number(option, parts[1], coordinate)};
-}
-
 /// One side of the slot, given itself or by what it has beyond the car's.
 double side_of_slot(const Option<double>& direct, const Option<double>& beyond, double car_size) {
     if (direct && beyond)
@@ -50,6 +43,13 @@ void check_setback(const Option<double>& setback, double width) {
 
 }  // namespace
 
+Point point(const std::string& option, const std::string& text) {
+    const std::vector<std::string> parts = split(text, ',');
+    if (parts.size() != 2)
+        throw Error(option + ": " + in_quotes(text) + " is no point; write X,Y in metres, for example 12.5,-3");
+    return {number(option, parts[0], coordinate), number(option, parts[1], coordinate)};
+}
+
 Pose pose(const std::string& option, const std::string& text) {
     const std::vector<std::string> parts = split(text, ',');
     if (parts.size() != 3)
@@ -60,8 +60,9 @@ Pose pose(const std::string& option, const std::string& text) {
 }
 
 CarOptions::CarOptions(Options& options)
-    : name(options.group("Car").text("--car", "NAME|FILE",
-                                     "A name that `snug cars` lists, or a JSON file\n(see snug cars --help).")) {}
+    : name(options.group("Car").text(
+          "--car", "NAME|FILE",
+          "A name that `snug cars` lists, a JSON file (see\nsnug cars --help), or - for one on standard input.")) {}
 
 Car CarOptions::car() const {
     if (!name) throw Error(name.name() + " is missing; give a name that `snug cars` lists, or a JSON file");
@@ -74,6 +75,7 @@ Car CarOptions::car() const {
 
 Car find_or_read_car(const std::string& name_or_file) {
     if (const std::optional<Car> known = find_car(name_or_file)) return *known;
+    if (name_or_file == "-") return read_car("/dev/stdin");
     const bool is_file = name_or_file.find('/') != name_or_file.npos ||
                          (name_or_file.size() > 5 && name_or_file.substr(name_or_file.size() - 5) == ".json") ||
                          access(name_or_file.c_str(), F_OK) == 0;

@@ -123,6 +123,7 @@ struct SteppingOptions {
 };
 
 /// A pose in the world, X,Y,HEADING; for Options::declared().
+Point point(const std::string& option, const std::string& text);
 Pose pose(const std::string& option, const std::string& text);
 
 /// Throws Error where a baseline is asked what only the solver can answer.

@@ -21,8 +21,10 @@ std::string cars_json(const std::vector<Car>& cars) {
     return write(list);
 }
 
-std::string entry_json(const EntryQuestion& question, const Answer& answer) {
-    return write(as_json(question.car, question.slot, question.options, answer, strategy_name(question.baseline)));
+std::string entry_json(const EntryQuestion& question, const Answer& answer, const std::optional<Answer>& any_maneuver) {
+    Json json = as_json(question.car, question.slot, question.options, answer, strategy_name(question.baseline));
+    if (any_maneuver) json["any_maneuver"] = any_maneuver_as_json(*any_maneuver);
+    return write(json);
 }
 
 std::string fewest_json(const EntryQuestion& question, const Answer& answer) {
@@ -39,6 +41,12 @@ std::string park_json(const ParkQuestion& question, const ParkAnswer& answer) {
     return write(park_as_json(question.car, question.scene, question.options, answer));
 }
 
+std::string drive_json(const ParkQuestion& question, const DriveOptions& options, const DriveAnswer& answer) {
+    if (question.street)
+        return write(drive_as_json(question.car, *question.street, question.scene.start, options, answer));
+    return write(drive_as_json(question.car, question.scene, options, answer));
+}
+
 std::string atlas_json(const EntryQuestion& question, Strategy strategy, const Answer& answer, const AtlasCell& cell) {
     Json json = strategy == Strategy::fewest ? fewest_object(question, answer)
                                              : as_json(question.car, question.slot, question.options, answer);
@@ -52,6 +60,22 @@ std::string atlas_json(const EntryQuestion& question, Strategy strategy, const A
 std::string waypoints_json(const std::vector<Waypoint>& waypoints) { return write(as_json(waypoints)); }
 
 std::string trajectory_json(const Trajectory& trajectory, double period) { return write(as_json(trajectory, period)); }
+
+std::string clearance_json(const ClearanceQuestion& question, const std::vector<KeptClearance>& rows) {
+    Json json = {{"schema", 1},
+                 {"car", as_json(question.car)},
+                 {"strategy", to_string(question.options.strategy)},
+                 {"rows", Json::array()}};
+    for (const KeptClearance& kept : rows) {
+        Json& row = json["rows"].emplace_back(Json{{"max_changes", kept.max_changes},
+                                                   {"width", question.slot.width()},
+                                                   {"length", question.slot.length()},
+                                                   {"clearance", nullptr}});
+        if (kept.clearance) row["clearance"] = *kept.clearance;
+        if (question.options.strategy == Strategy::fewest) row["clearance_upper"] = kept.upper;
+    }
+    return write(json);
+}
 
 std::string MinSlotJson::begin() {
     return list_.begin({{"schema", 1}, {"car", as_json(question_.car)}, {"strategy", strategy_name(question_)}},

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/clearance.hpp"
+#include "cli/drive.hpp"
 #include "cli/entry.hpp"
 #include "cli/min_slot.hpp"
 #include "cli/park.hpp"
@@ -19,12 +21,15 @@ namespace snug::cli {
 
 std::string car_json(const Car& car);
 std::string cars_json(const std::vector<Car>& cars);
-std::string entry_json(const EntryQuestion& question, const Answer& answer);
+/// With what any maneuver can do, where that was asked because the strategy cannot park.
+std::string entry_json(const EntryQuestion& question, const Answer& answer, const std::optional<Answer>& any_maneuver);
 std::string fewest_json(const EntryQuestion& question, const Answer& answer);
 std::string leave_json(const EntryQuestion& question, const Answer& answer);
 std::string park_json(const ParkQuestion& question, const ParkAnswer& answer);
+std::string drive_json(const ParkQuestion& question, const DriveOptions& options, const DriveAnswer& answer);
 /// The answer of an atlas, with the stored cell that it comes from.
 std::string atlas_json(const EntryQuestion& question, Strategy strategy, const Answer& answer, const AtlasCell& cell);
+std::string clearance_json(const ClearanceQuestion& question, const std::vector<KeptClearance>& rows);
 std::string waypoints_json(const std::vector<Waypoint>& waypoints);
 std::string trajectory_json(const Trajectory& trajectory, double period);
 

@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/clearance.hpp"
 #include "cli/command.hpp"
 #include "cli/groups.hpp"
 #include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/table.hpp"
+#include "cli/way_out.hpp"
 #include "cli/words.hpp"
 #include "io/csv.hpp"
 #include "sentences/check.hpp"
+#include "snug/draw.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
 #include "snug/limits.hpp"
@@ -26,18 +29,21 @@ constexpr std::size_t points_at_once = 4096;
 constexpr const char* purpose =
     "How short a parallel parking slot may be for a given width, or how narrow for a\n"
     "given length, so that the car parks with so many direction changes; or, for one\n"
-    "slot, how many it takes and what a little more or less room would change.";
+    "slot, how many it takes and what a little more or less room would change, or\n"
+    "which clearance the car can keep in it with so many.";
 
 constexpr const char* examples =
     "Lists are a,b,c; ranges are from:to:step, both ends included. A slot smaller\n"
     "than the car is a row without an answer. Without --max-changes, and with one\n"
     "--length and one --width, the answer is about that slot; its rows are the\n"
     "shortest slots of its width for one change fewer, for its own count and for\n"
-    "what the next shorter slot needs.\n\n"
+    "what the next shorter slot needs. With --max-changes as well, the answer is the\n"
+    "largest clearance that still parks in it.\n\n"
     "Examples:\n"
     "  snug min-slot --car renault-zoe --max-changes 0,1,2,5,10 --width 1.8:2.4:0.1\n"
     "  snug min-slot --car my-car.json --max-changes 2 --length 5:6:0.1 --format csv\n"
-    "  snug min-slot --car vw-transporter --extra-length 0.8 --extra-width 0.3\n\n"
+    "  snug min-slot --car vw-transporter --extra-length 0.8 --extra-width 0.3\n"
+    "  snug min-slot --car renault-zoe --length 5 --width 2 --max-changes 1,3,5\n\n"
     "Exit codes: 0 solved; 1 understood, and no row has an answer; 2 bad input, with\n"
     "one line that says what is wrong; 3 undecided within the limits given.";
 
@@ -71,6 +77,7 @@ struct Asked {
           width_step(options.number("--width-step", "M", "stepping: between the widths tried [m] (0.01).", step)),
           stepping(options),
           output(options),
+          draw(draw_option(options)),
           threads(threads_option(options)) {}
 
     static constexpr Quantity size = {" m", limits::shortest, limits::longest};
@@ -94,6 +101,7 @@ struct Asked {
     Option<double> width_step;
     SteppingOptions stepping;
     OutputOptions output;
+    Option<std::string> draw;  ///< one slot
     Option<int> threads;
 };
 
@@ -119,18 +127,29 @@ std::vector<double> lengths(const Asked& asked, const Car& car) {
 
 double one_size(const std::vector<double>& all, const std::string& name) {
     if (all.size() > 1)
-        throw Error("--" + name + " is a list, but without --max-changes one slot is asked about; give one " + name +
+        throw Error("--" + name + " is a list, but with lengths and widths one slot is asked about; give one " + name +
                     ", or --max-changes and either lengths or widths");
     return all.front();
 }
 
-std::vector<int> counts(const Asked& asked) {
+std::vector<int> counts(const Asked& asked, Planner planner) {
     if (!asked.max_changes)
         throw Error(asked.max_changes.name() +
                     " is missing; give the direction changes allowed, for example 0,1,2,5,10");
     std::vector<int> all;
-    for (const double count : *asked.max_changes) all.push_back(static_cast<int>(count));
+    for (const double count : *asked.max_changes) {
+        if (planner == Planner::fewest)
+            check_between(asked.max_changes.name(), count, 0.0, limits::most_changes_fewest, "");
+        all.push_back(static_cast<int>(count));
+    }
     return all;
+}
+
+/// There is a picture of one slot.
+void refuse_picture(const Asked& asked) {
+    if (asked.draw)
+        throw Error(asked.draw.name() +
+                    " draws one slot; leave it out, or give one --length and one --width without --max-changes");
 }
 
 /// Between the slots that the paper's loop tries. [m]
@@ -212,6 +231,7 @@ public:
                               : min_slot_table(sought(), rows, question_.max_changes.size());
         for (const MinSlot& row : rows) {
             any_ = any_ || row.size(sought());
+            if (!row.size(sought()) && !row.cancelled) without_.push_back(row);
             cancelled_ = cancelled_ || row.cancelled;
             if (format_ == Format::csv) add_csv(row);
             if (format_ == Format::json) text_ += json_.row(row);
@@ -221,7 +241,10 @@ public:
 
     int finish() {
         if (format_ == Format::json) text_ += json_.end();
-        if (format_ == Format::text && !fewest()) text_ += "Rounded up to millimetres; - where no slot will do.\n";
+        if (format_ == Format::text && !fewest()) {
+            text_ += "Rounded up to millimetres; - where no slot will do.\n";
+            text_ += question_.stepping ? "" : other_maneuvers(question_, without_);
+        }
         flush();
         if (file_) file_->finish();
         return any_ ? solved : cancelled_ ? undecided : cannot_park;
@@ -264,9 +287,10 @@ private:
     std::optional<FileInParts> file_;
     MinSlotJson json_;
     Csv csv_;
-    std::string text_;        ///< not yet written
-    bool any_ = false;        ///< some row has an answer
-    bool cancelled_ = false;  ///< some row is not decided
+    std::string text_;              ///< not yet written
+    std::vector<MinSlot> without_;  ///< rows without an answer
+    bool any_ = false;              ///< some row has an answer
+    bool cancelled_ = false;        ///< some row is not decided
 };
 
 int answer_all(const MinSlotQuestion& question, Format format, const std::string& path) {
@@ -299,10 +323,39 @@ int answer_all(const MinSlotQuestion& question, Format format, const std::string
     return report.finish();
 }
 
-int answer_one(MinSlotQuestion question, double length, double width, Format format, const std::string& path) {
+/// What one slot is, with the neighbours asked about.
+Slot slot_of(const MinSlotQuestion& question, double length, double width) {
+    const MinSlotOptions& options = question.options;
+    return Slot({.length = length,
+                 .width = width,
+                 .front_setback = options.front_setback,
+                 .rear_setback = options.rear_setback,
+                 .curb = options.curb});
+}
+
+int answer_one(MinSlotQuestion question, double length, double width, Format format, const std::string& path,
+               const std::optional<PictureFile>& picture) {
     const OneSlot one = one_slot(question.car, length, width, question.options);
+    if (picture) {
+        EntryOptions options;
+        options.min_range = question.options.min_range;
+        options.driving = question.options.driving;
+        options.parked = question.options.parked;
+        const Slot slot = slot_of(question, length, width);
+        write_file(
+            "--draw", picture->path,
+            draw_maneuver(question.car, slot, entry(question.car, slot, options), picture->format, {options.driving}));
+    }
     if (format == Format::text) {
-        put_out(path, one_slot_text(one));
+        std::string text = one_slot_text(one);
+        if (!one.changes) {
+            EntryOptions options;
+            options.driving = question.options.driving;
+            options.parked = question.options.parked;
+            text += fewer_text(one.most_changes + 1,
+                               any_maneuver({question.car, slot_of(question, length, width), options}));
+        }
+        put_out(path, text);
     } else {
         for (const MinSlot& row : one.rows) question.max_changes.push_back(row.max_changes);
         Report report(question, format, path);
@@ -310,6 +363,19 @@ int answer_one(MinSlotQuestion question, double length, double width, Format for
         report.finish();
     }
     return one.changes ? solved : cannot_park;
+}
+
+/// With the slot given whole and the changes too, clearance is what is left to ask for.
+Action clearance_action(const MinSlotQuestion& question, const Slot& slot, Format format, const std::string& path) {
+    return [asked = ClearanceQuestion{question.car, slot, question.options, question.max_changes}, format, path] {
+        const std::vector<KeptClearance> rows = kept_clearances(asked);
+        put_out(path, format == Format::json  ? clearance_json(asked, rows)
+                      : format == Format::csv ? clearance_csv(asked, rows)
+                                              : clearance_text(asked, rows));
+        const bool any = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.clearance; });
+        const bool open = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.upper > 0.0; });
+        return any ? solved : open ? undecided : cannot_park;
+    };
 }
 
 }  // namespace
@@ -327,25 +393,35 @@ Action parse_min_slot(const Arguments& arguments) {
     const Format format = asked.output.format();
     if (width) check_setbacks(asked, widths(asked, question.car));
     if (width && length) {
-        if (asked.max_changes)
-            throw Error("--length and --width are both given, and --max-changes; leave out one of the three");
+        const double slot_length = one_size(lengths(asked, question.car), "length");
+        const double slot_width = one_size(widths(asked, question.car), "width");
+        if (asked.max_changes) {
+            if (planner == Planner::stepping)
+                throw Error("--strategy: clearances are found by max-steer and fewest only; give one of them");
+            if (asked.driving.clearance)
+                throw Error(asked.driving.clearance.name() +
+                            " is what --length, --width and --max-changes together ask for; leave it out, or one of "
+                            "them");
+            refuse_picture(asked);
+            question.max_changes = counts(asked, planner);
+            return clearance_action(question, slot_of(question, slot_length, slot_width), format, asked.output.path());
+        }
         if (planner != Planner::max_steer)
             throw Error(
                 "--strategy: one slot is answered for max-steer only; leave it out, or give --max-changes and "
                 "either lengths or widths");
-        return [question, slot_length = one_size(lengths(asked, question.car), "length"),
-                slot_width = one_size(widths(asked, question.car), "width"), format,
-                path = asked.output.path()] { return answer_one(question, slot_length, slot_width, format, path); };
+        return [question, slot_length, slot_width, format, picture = picture_file(asked.draw, asked.output),
+                path = asked.output.path()] {
+            return answer_one(question, slot_length, slot_width, format, path, picture);
+        };
     }
+    refuse_picture(asked);
     if (length && asked.max_length)
         throw Error(asked.max_length.name() + " belongs to --width; leave it out where the length is given");
     if (length && planner == Planner::fewest && asked.parked.curb)
         throw Error(asked.parked.curb.name() +
                     " can make a wider slot harder, so that fewest can prove no width; leave it out, or give widths");
-    question.max_changes = counts(asked);
-    if (planner == Planner::fewest)
-        for (const int most : question.max_changes)
-            check_between(asked.max_changes.name(), most, 0.0, limits::most_changes_fewest, "");
+    question.max_changes = counts(asked, planner);
     question.sizes = width ? widths(asked, question.car) : lengths(asked, question.car);
     return [question = std::move(question), format, path = asked.output.path()] {
         return answer_all(question, format, path);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <optional>
 
 #include "sentences/check.hpp"
 #include "sentences/spelling.hpp"
@@ -55,7 +56,27 @@ bool is_whole(std::string_view text) {
 }
 
 std::string unit_name(std::string_view unit) {
-    return unit == " m" ? "metres" : unit == " rad" ? "radians" : "seconds";
+    return unit == " m"         ? "metres"
+           : unit == " rad"     ? "radians, or in degrees as 1deg"
+           : unit == " degrees" ? "degrees, or in radians as 0.02rad"
+                                : "seconds";
+}
+
+/// What a number followed by `suffix` is to be multiplied with to be in `unit`: angles say deg or rad.
+std::optional<double> factor(std::string_view unit, std::string_view suffix) {
+    constexpr double degree = std::numbers::pi / 180.0;
+    if (unit == " rad" && (suffix == "deg" || suffix == "\u00b0")) return degree;
+    if (unit == " degrees" && suffix == "rad") return 1.0 / degree;
+    if ((unit == " rad" && suffix == "rad") || (unit == " degrees" && (suffix == "deg" || suffix == "\u00b0")))
+        return 1.0;
+    return std::nullopt;
+}
+
+/// Two whole numbers with a dash between them, as in 2-5.
+bool is_dashed(std::string_view text) {
+    const std::size_t dash = text.find('-', 1);
+    return dash != text.npos && dash + 1 < text.size() && is_digit(text[dash + 1]) &&
+           decimal_prefix(text.substr(dash + 1)) + dash + 1 == text.size() && decimal_prefix(text) == dash;
 }
 
 std::string shown(const std::string& text) { return text.empty() ? "nothing" : in_quotes(text); }
@@ -115,7 +136,8 @@ double number(const std::string& option, const std::string& text, const Quantity
                     " to " + spelled(quantity.high));
     }
     const std::size_t end = decimal_prefix(text);
-    if (end == 0 || end < text.size()) {
+    const std::optional<double> in_unit = end == 0 ? std::nullopt : factor(quantity.unit, text.substr(end));
+    if (end == 0 || (end < text.size() && !in_unit)) {
         const std::string rest = text.substr(end);
         std::string right = "write a decimal number, in " + unit_name(quantity.unit);
         if (end > 0 && rest[0] == ',') {
@@ -125,7 +147,8 @@ double number(const std::string& option, const std::string& text, const Quantity
         }
         throw Error(option + ": " + shown(text) + " is no number; " + right);
     }
-    const double value = std::strtod(text.c_str(), nullptr);  // the process keeps the C locale: a point is a point
+    // The process keeps the C locale: a point is a point.
+    const double value = std::strtod(text.c_str(), nullptr) * in_unit.value_or(1.0);
     if (std::isinf(value)) {
         throw Error(option + ": " + in_quotes(text) + " is too large; it must lie between " + spelled(quantity.low) +
                     " and " + spelled(quantity.high) + std::string(quantity.unit));
@@ -134,9 +157,10 @@ double number(const std::string& option, const std::string& text, const Quantity
         check_between(option, value, quantity.low, quantity.high, quantity.unit);
     } catch (const Error& error) {
         const double from_degrees = value * std::numbers::pi / 180.0;
-        if (quantity.unit != " rad" || !(from_degrees >= quantity.low && from_degrees <= quantity.high)) throw;
+        if (in_unit || quantity.unit != " rad" || !(from_degrees >= quantity.low && from_degrees <= quantity.high))
+            throw;
         throw Error(std::string(error.what()) + "; " + spelled(value) + " degrees are " + spelled(from_degrees) +
-                    " rad");
+                    " rad, and may be written " + spelled(value) + "deg");
     }
     return value;
 }
@@ -148,6 +172,11 @@ int whole_number(const std::string& option, const std::string& text, int low, in
 std::vector<double> numbers(const std::string& option, const std::string& text, const Quantity& quantity) {
     std::vector<double> all;
     for (const std::string& part : split(text, ',')) {
+        if (is_dashed(part)) {
+            const std::size_t dash = part.find('-', 1);
+            throw Error(option + ": " + in_quotes(part) + " is no range; write " + part.substr(0, dash) + ':' +
+                        part.substr(dash + 1) + (quantity.unit.empty() ? ":1" : ":0.01"));
+        }
         if (part.find(':') == part.npos) {
             all.push_back(number(option, part, quantity));
         } else {

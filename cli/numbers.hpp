@@ -14,8 +14,9 @@ struct Quantity {
     double high;
 };
 
-// Each reads all of `text` or throws Error with one sentence that begins with the option. Numbers are plain decimals:
-// no units, no hexadecimals, no NaN, no infinity. An angle that is too large but would do in degrees is told in radians.
+// Each reads all of `text` or throws Error with one sentence that begins with the option. Numbers are plain decimals: no
+// hexadecimals, no NaN, no infinity, and no units but an angle's, deg or rad. An angle without one that is too large but
+// would do in degrees is told in radians.
 double number(const std::string& option, const std::string& text, const Quantity& quantity);
 int whole_number(const std::string& option, const std::string& text, int low, int high);
 

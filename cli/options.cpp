@@ -9,18 +9,19 @@
 namespace snug::cli {
 namespace {
 
-/// The first argument that is no option of the app's, and what it could have been.
-Error unknown(const CLI::App& app, const std::string& argument) {
+/// About the first argument that is no option of the app's: what it could have been.
+[[noreturn]] void refuse(const CLI::App& app, const std::string& argument) {
     if (argument.size() < 2 || argument[0] != '-') {
-        return Error("unexpected argument " + in_quotes(argument) + "; see " + app.get_name() + " --help");
+        throw Error("unexpected argument " + in_quotes(argument) + "; see " + app.get_name() + " --help");
     }
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
         for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
     const std::string name = argument.substr(0, argument.find('='));
-    return Error("unknown option " + in_quotes(name) + "; " +
-                 did_you_mean(nearest_word(name, names), app.get_name() + " --help lists those there are"));
+    throw UnknownOption(name,
+                        "unknown option " + in_quotes(name) + "; " +
+                            did_you_mean(nearest_word(name, names), app.get_name() + " --help lists those there are"));
 }
 
 }  // namespace
@@ -124,7 +125,7 @@ bool Options::read(const std::vector<std::string>& arguments) {
         throw Error(std::string(error.what()) + "; see " + app.get_name() + " --help");
     }
     const std::vector<std::string> rest = app.remaining();
-    if (!rest.empty()) throw unknown(app, rest.front());
+    if (!rest.empty()) refuse(app, rest.front());
     for (const auto& declared : parser_->all) {
         if (declared->typed) declared->take(*declared->typed);
     }

@@ -9,8 +9,16 @@
 #include <vector>
 
 #include "cli/numbers.hpp"
+#include "snug/error.hpp"
 
 namespace snug::cli {
+
+/// An option that the command does not have; another may.
+struct UnknownOption : Error {
+    UnknownOption(std::string typed, const std::string& sentence) : Error(sentence), option(std::move(typed)) {}
+
+    std::string option;  ///< as in "--road"
+};
 
 /// What was typed after an option, understood; nothing when it was not given. Only a declaration makes one, so an option that
 /// was never declared cannot be read.

@@ -40,18 +40,7 @@ constexpr const char* examples =
 /// The options of `snug park`, in the order of its help text.
 struct Asked {
     explicit Asked(Options& options)
-        : bay(options),
-          parked(options),
-          driving(options),
-          scene(options.group("Any place")
-                    .text("--scene", "FILE",
-                          "Obstacles, goal and start from a JSON file, or from\na .csv file of "
-                          "the TPCAP benchmark: no slot then.")),
-          from(options.group("Question")
-                   .declared<Pose>("--from", "X,Y,HEADING",
-                                   "Where the rear axle's middle stands, in the world\n[m, rad] (beside the front "
-                                   "neighbour; past a bay).",
-                                   pose)),
+        : where(options),
           search(options, "eight-hundredth"),
           files(options),
           view(options.choice<ParkView>("--view", "VIEW",
@@ -59,18 +48,14 @@ struct Asked {
                                         "changes are needed, at the\nheading of --from.",
                                         {{"maneuver", ParkView::maneuver}, {"map", ParkView::map}})) {}
 
-    BayOptions bay;
-    ParkedOptions parked;
-    DrivingOptions driving;
-    Option<std::string> scene;
-    Option<Pose> from;
+    WhereOptions where;
     SearchOptions search;
     ParkFileOptions files;
     Option<ParkView> view;
 };
 
 /// Throws Error where an option is given that a scene file speaks of itself.
-void refuse_beside_scene(const Asked& asked) {
+void refuse_beside_scene(const WhereOptions& asked) {
     const auto refuse = [&](const auto& option) {
         if (option)
             throw Error(option.name() + " describes a slot, but " + asked.scene.name() +
@@ -93,29 +78,6 @@ void refuse_beside_scene(const Asked& asked) {
     refuse(asked.parked.heading);
     refuse(asked.parked.curb);
     refuse(asked.driving.enter);
-}
-
-ParkQuestion question(const Asked& asked) {
-    const Car car = asked.bay.car.car();
-    ParkOptions options;
-    options.clearance = asked.driving.clearance.value_or(0.0);
-    asked.search.limit(options);
-    if (asked.scene) {
-        refuse_beside_scene(asked);
-        try {
-            Scene scene = read_scene(*asked.scene);
-            if (asked.from) scene.start = *asked.from;
-            return {car, std::move(scene), std::nullopt, options};
-        } catch (const Error& error) {
-            throw Error(asked.scene.name() + ": " + error.what());
-        }
-    }
-    if (!asked.bay.slot.length && !asked.bay.slot.extra_length)
-        throw Error("no place is given; give a slot with --length and --width, or a file with --scene");
-    Street street = asked.bay.bay(car, asked.driving.driving(asked.bay.neighbours));
-    street.parked = asked.parked.parked();
-    const Pose start = asked.from ? *asked.from : standard_start(street, car);
-    return {car, {street_place(street), start}, street, options};
 }
 
 std::string written(Format format, const ParkQuestion& question, const ParkAnswer& answer) {
@@ -151,12 +113,49 @@ Action parse_park(const Arguments& arguments) {
     Options options("snug park", purpose, examples);
     const Asked asked(options);
     if (!options.read(arguments)) return say(options.help());
-    const ParkQuestion whole = question(asked);
+    ParkQuestion whole = asked.where.question();
+    asked.search.limit(whole.options);
     ParkFiles files = asked.files.files(asked.files.output.format());
     if (asked.view && !files.picture)
         throw Error(asked.view.name() + " belongs to --draw; leave it out or give --draw FILE");
     files.view = asked.view.value_or(files.view);
     return park_action(whole, files);
+}
+
+WhereOptions::WhereOptions(Options& options)
+    : bay(options),
+      parked(options),
+      driving(options),
+      scene(options.group("Any place")
+                .text("--scene", "FILE",
+                      "Obstacles, goal and start from a JSON file, or from\na .csv file of "
+                      "the TPCAP benchmark: no slot then.")),
+      from(options.group("Question")
+               .declared<Pose>("--from", "X,Y,HEADING",
+                               "Where the rear axle's middle stands, in the world\n[m, rad] (beside the front "
+                               "neighbour; past a bay).",
+                               pose)) {}
+
+ParkQuestion WhereOptions::question() const {
+    const Car car = bay.car.car();
+    ParkOptions options;
+    options.clearance = driving.clearance.value_or(0.0);
+    if (scene) {
+        refuse_beside_scene(*this);
+        try {
+            Scene place = read_scene(*scene);
+            if (from) place.start = *from;
+            return {car, std::move(place), std::nullopt, options};
+        } catch (const Error& error) {
+            throw Error(scene.name() + ": " + error.what());
+        }
+    }
+    if (!bay.slot.length && !bay.slot.extra_length)
+        throw Error("no place is given; give a slot with --length and --width, or a file with --scene");
+    Street street = bay.bay(car, driving.driving(bay.neighbours));
+    street.parked = parked.parked();
+    const Pose start = from ? *from : standard_start(street, car);
+    return {car, {street_place(street), start}, street, options};
 }
 
 SearchOptions::SearchOptions(Options& options, const std::string& finest)

@@ -24,6 +24,18 @@ struct ParkQuestion {
 /// What a person needs: what to do move by move from where the car stands, how it ends, and what is proved. At most 80 columns.
 std::string park_text(const ParkQuestion& question, const ParkAnswer& answer);
 
+/// The car, the place and where the car stands, of park and drive alike: a slot at a street, or --scene; and --from.
+struct WhereOptions {
+    explicit WhereOptions(Options& options);
+    [[nodiscard]] ParkQuestion question() const;
+
+    BayOptions bay;
+    ParkedOptions parked;
+    DrivingOptions driving;
+    Option<std::string> scene;
+    Option<Pose> from;
+};
+
 /// --max-changes, --resolution and --time-limit, of park and leave alike.
 struct SearchOptions {
     /// `finest`: what part of the car's length the spacing is by default.

@@ -145,7 +145,21 @@ std::string alternatives(const ParkQuestion& question, const ParkAnswer& answer)
     };
     if (!answer.maneuver->moves.empty()) add(*answer.maneuver);
     for (const Maneuver& other : answer.alternatives) add(other);
-    return "\nOther ways (--format json has their moves)\n" + table(rows, "rrrr");
+    std::string straighter;
+    if (!answer.maneuver->moves.empty() && !question.leaving) {
+        constexpr double more = 1.15;  // degrees
+        const auto aslant = [&](const Maneuver& maneuver) {
+            return std::abs(off(maneuver.goal().heading - parked_heading(question.scene.place)));
+        };
+        for (const Maneuver& other : answer.alternatives) {
+            if (aslant(other) > aslant(*answer.maneuver) - more) continue;
+            straighter = "\nEnding straight takes " + std::to_string(other.direction_changes()) +
+                         " changes: with " + std::to_string(*answer.direction_changes) + " it ends " +
+                         fixed(aslant(*answer.maneuver), 1) + " deg aslant.\n";
+            break;
+        }
+    }
+    return straighter + "\nOther ways (--format json has their moves)\n" + table(rows, "rrrr");
 }
 
 std::string proof(const ParkAnswer& answer) {

@@ -8,9 +8,9 @@ namespace snug::drawing {
 namespace {
 
 /// Draws in the car's own proportions: u from 0 at the rear to 1 at the front, v from -1 on the right to 1 on the left.
-class Outline {
+class CarPath {
 public:
-    Outline(cairo_t* canvas, const View& view, const Car& car, const Slot& slot, const Pose& pose) : canvas_(canvas) {
+    CarPath(cairo_t* canvas, const View& view, const Car& car, const Slot& slot, const Pose& pose) : canvas_(canvas) {
         cairo_save(canvas_);
         const cairo_matrix_t matrix = placed(view, slot, pose);
         cairo_transform(canvas_, &matrix);
@@ -18,9 +18,9 @@ public:
         cairo_scale(canvas_, car.length(), car.width() / 2);
         cairo_new_path(canvas_);
     }
-    ~Outline() { cairo_restore(canvas_); }  // the path stays; strokes are not scaled
-    Outline(const Outline&) = delete;
-    Outline& operator=(const Outline&) = delete;
+    ~CarPath() { cairo_restore(canvas_); }  // the path stays; strokes are not scaled
+    CarPath(const CarPath&) = delete;
+    CarPath& operator=(const CarPath&) = delete;
 
     void start(double u, double v) { cairo_move_to(canvas_, u, v); }
     void line(double u, double v) { cairo_line_to(canvas_, u, v); }
@@ -33,7 +33,7 @@ private:
     cairo_t* canvas_;
 };
 
-void trace_body(Outline& o) {
+void trace_body(CarPath& o) {
     o.start(0.08, -1.0);
     o.line(0.84, -1.0);
     o.curve(0.945, -1.0, 0.982, -0.90, 0.988, -0.58);
@@ -47,7 +47,7 @@ void trace_body(Outline& o) {
 }
 
 /// Windscreen, side and rear windows: a ring around the roof.
-void trace_glass(Outline& o) {
+void trace_glass(CarPath& o) {
     o.start(0.69, -0.80);
     o.curve(0.735, -0.40, 0.735, 0.40, 0.69, 0.80);
     o.curve(0.64, 0.87, 0.58, 0.88, 0.50, 0.88);
@@ -70,13 +70,13 @@ void trace_glass(Outline& o) {
 void draw_car(cairo_t* canvas, const View& view, const Car& car, const Slot& slot, const Pose& pose,
               const CarLook& look) {
     {
-        Outline outline(canvas, view, car, slot, pose);
-        trace_body(outline);
+        CarPath path(canvas, view, car, slot, pose);
+        trace_body(path);
     }
     fill_and_stroke(canvas, look.body, look.outline, look.line);
     {
-        Outline outline(canvas, view, car, slot, pose);
-        trace_glass(outline);
+        CarPath path(canvas, view, car, slot, pose);
+        trace_glass(path);
     }
     const Saved saved(canvas);
     cairo_set_fill_rule(canvas, CAIRO_FILL_RULE_EVEN_ODD);

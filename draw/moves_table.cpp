@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "path.hpp"
+#include "snug/draw.hpp"
 
 namespace snug::drawing {
 namespace {
@@ -108,7 +109,7 @@ void draw_row(cairo_t* canvas, const Columns& x, double y, const Chart& chart, c
     if (move.contact) {
         draw_contact_sign(canvas, {x.sign, y}, move.contact->part, slot.side() == Side::left);
         const std::string contact =
-            std::string(to_string(move.contact->part)) + " meets " + std::string(to_string(move.contact->obstacle));
+            std::string(to_string(move.contact->part)) + " meets " + std::string(called(move.contact->obstacle));
         write(canvas, {x.contact, y}, fitted(canvas, contact, plain, x.end - x.contact), plain);
     } else if (!end_in_words.empty()) {
         write(canvas, {x.contact, y}, fitted(canvas, end_in_words, plain, x.end - x.contact), plain);
@@ -160,3 +161,18 @@ void draw_table(cairo_t* canvas, Point top_left, double width, const Maneuver& m
 }
 
 }  // namespace snug::drawing
+
+namespace snug {
+
+std::string_view called(Obstacle obstacle) {
+    switch (obstacle) {
+        case Obstacle::front_side: return "front neighbour";
+        case Obstacle::rear_side: return "rear neighbour";
+        case Obstacle::front_corner: return "front slot corner";
+        case Obstacle::rear_corner: return "rear slot corner";
+        case Obstacle::curb: break;
+    }
+    return "curb";
+}
+
+}  // namespace snug

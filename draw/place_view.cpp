@@ -61,11 +61,27 @@ View view_of(const Picture& picture) {
     return view;
 }
 
+/// Rear axles of a car that errs: of many runs, as many as can be told apart.
+void draw_tracks(cairo_t* canvas, const View& view, const Stage& stage) {
+    constexpr std::size_t most = 100;
+    const std::vector<std::vector<Pose>>& all = stage.options.tracks;
+    const double alpha = std::max(0.08, 0.5 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, all.size()))));
+    for (std::size_t i = 0; i < std::min(most, all.size()); ++i) {
+        cairo_new_path(canvas);
+        for (const Pose& pose : all[i]) {
+            const Point at = drawing::on_page(view, stage.slot, pose, {0.0, 0.0});
+            cairo_line_to(canvas, at.x, at.y);
+        }
+        stroke(canvas, palette::slot.faded(alpha), line::frame);
+    }
+}
+
 void draw_stage(cairo_t* canvas, const View& view, const Stage& stage, const Picture& picture) {
     const Saved saved(canvas);
     clip_to(canvas, view);
     draw_obstacles(canvas, view, picture.frame, picture.place);
     draw_target(canvas, view, picture.frame, picture.place);
+    draw_tracks(canvas, view, stage);
     if (picture.answer.maneuver) {
         const Pose goal = stage.legs.empty() ? picture.start : stage.legs.back().move->end;
         draw_goal(canvas, view, stage, goal);

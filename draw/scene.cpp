@@ -103,10 +103,10 @@ void draw_slot(cairo_t* canvas, const View& view, const Slot& slot) {
     const Saved saved(canvas);
     clip_to(canvas, view);
     // Sides far outside the view are drawn just outside it, where the clip takes them away.
-    const double margin = 10.0 / view.scale;
-    const double rear = std::max(-slot.length(), view.seen.x_min - margin);
-    const double front = std::min(0.0, view.seen.x_max + margin);
-    const double curb = std::max(-slot.width(), view.seen.y_min - margin);
+    const double beyond = 10.0 / view.scale;
+    const double rear = std::max(-slot.length(), view.seen.x_min - beyond);
+    const double front = std::min(0.0, view.seen.x_max + beyond);
+    const double curb = std::max(-slot.width(), view.seen.y_min - beyond);
     trace(canvas, {view({rear, 0.0}), view({rear, curb}), view({front, curb}), view({front, 0.0})});
     stroke(canvas, palette::slot, line::frame);
     const std::array<double, 2> pattern = {5.0, 4.0};

@@ -13,7 +13,7 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t largest_file = 1'000'000;  // [bytes]
+constexpr std::size_t largest_car_file = 1'000'000;  // [bytes]
 
 /// The keys and values of a car file, taken event by event from the JSON parser.
 struct CarFile {
@@ -163,7 +163,7 @@ Car car(CarFile file) {
 
 Car car_from_json(std::string_view text, const std::string& source) {
     try {
-        if (text.size() > largest_file) {
+        if (text.size() > largest_car_file) {
             throw Error("is larger than 1 MB, but must be a short JSON object with the keys of a car");
         }
         CarFile file;
@@ -176,7 +176,7 @@ Car car_from_json(std::string_view text, const std::string& source) {
 }
 
 Car read_car(const std::string& path) {
-    return car_from_json(read_text(path, largest_file, "give a car file or a name that `snug cars` lists"), path);
+    return car_from_json(read_text(path, largest_car_file, "give a car file or a name that `snug cars` lists"), path);
 }
 
 }  // namespace snug

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <numbers>
 #include <system_error>
 
 #include "sentences/check.hpp"
@@ -16,8 +15,7 @@ namespace snug {
 namespace {
 
 constexpr std::size_t longest_name = 100;  // [bytes]
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double agreement = 1e-9;  // of values that say the same, relative
+constexpr double agreement = 1e-9;         // of values that say the same, relative
 
 // What a described car may be: model cars of a thumb's width and road trains are, cars in millimetres or inches are not.
 constexpr double least_length = 1e-3;  // [m]

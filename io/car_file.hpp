@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,8 @@ inline const std::vector<std::string> car_lengths = {"width",  "front",         
 /// The names under which the largest steering angle may be given: radians, degrees, metres, metres, metres.
 inline const std::vector<std::string> steerings = {"max_steer", "max_steer_deg", "turning_radius", "curb_to_curb",
                                                    "wall_to_wall"};
+
+inline constexpr double degree = std::numbers::pi / 180.0;  // [rad]
 
 /// What a key is measured in.
 std::string unit_of(const std::string& key);

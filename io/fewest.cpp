@@ -33,6 +33,12 @@ Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, c
     return json;
 }
 
+Json any_maneuver_as_json(const Answer& answer) {
+    Json json = {{"direction_changes", nullptr}, {"lower_bound", answer.lower_bound}, {"proved", answer.proved}};
+    if (answer.direction_changes) json["direction_changes"] = *answer.direction_changes;
+    return json;
+}
+
 Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer, const Driving& driving) {
     Json json = {{"schema", 1}, {"car", as_json(car)}, {"slot", as_json(slot)}};
     add_conditions(json, driving, {});

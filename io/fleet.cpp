@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <locale>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <sstream>
 #include <system_error>
@@ -17,9 +16,8 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t largest_file = 100'000'000;  // [bytes]
-constexpr std::size_t longest_line = 20'000;       // [bytes]: room for the finest outline
-constexpr double degree = std::numbers::pi / 180.0;
+constexpr std::size_t largest_fleet = 100'000'000;  // [bytes]
+constexpr std::size_t longest_line = 20'000;        // [bytes]: room for the finest outline
 
 std::string counted(std::size_t count, const std::string& what) {
     return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
@@ -239,7 +237,7 @@ private:
 };
 
 std::vector<Car> cars(std::string_view text) {
-    if (text.size() > largest_file) {
+    if (text.size() > largest_fleet) {
         throw Error("is larger than 100 MB; split the fleet");
     }
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -298,7 +296,7 @@ std::string as_csv(const std::vector<Car>& cars) {
 }
 
 std::vector<Car> read_cars(const std::string& path) {
-    return cars_from_csv(read_text(path, largest_file, "give a CSV file of cars"), path);
+    return cars_from_csv(read_text(path, largest_fleet, "give a CSV file of cars"), path);
 }
 
 }  // namespace snug

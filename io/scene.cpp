@@ -21,8 +21,8 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t largest_file = 1'000'000;  // [bytes]
-constexpr double around = 10.0;                  ///< the region reaches so far beyond everything named [m]
+constexpr std::size_t largest_scene = 1'000'000;  // [bytes]
+constexpr double around = 10.0;                   ///< the region reaches so far beyond everything named [m]
 
 void check_keys(const Json& object, const std::string& what, std::initializer_list<const char*> known) {
     if (!object.is_object()) throw Error(what + " must be a JSON object");
@@ -151,7 +151,7 @@ Scene scene(const Json& file) {
 
 Scene scene_from_json(std::string_view text, const std::string& source) {
     try {
-        if (text.size() > largest_file) throw Error("is larger than 1 MB");
+        if (text.size() > largest_scene) throw Error("is larger than 1 MB");
         if (text.empty()) throw Error("is empty; give a scene as JSON");
         const Json file = Json::parse(text, nullptr, false);
         if (file.is_discarded()) throw Error("is no valid JSON");
@@ -163,7 +163,7 @@ Scene scene_from_json(std::string_view text, const std::string& source) {
 
 Scene scene_from_csv(std::string_view text, const std::string& source) {
     try {
-        std::string blanks(text.substr(0, largest_file + 1));
+        std::string blanks(text.substr(0, largest_scene + 1));
         std::replace(blanks.begin(), blanks.end(), ',', ' ');
         std::istringstream in(blanks);
         in.imbue(std::locale::classic());
@@ -207,7 +207,7 @@ Scene scene_from_csv(std::string_view text, const std::string& source) {
 }
 
 Scene read_scene(const std::string& path) {
-    const std::string text = read_text(path, largest_file, "give a scene as JSON, or a case of TPCAP as .csv");
+    const std::string text = read_text(path, largest_scene, "give a scene as JSON, or a case of TPCAP as .csv");
     const bool csv = path.size() >= 4 && path.compare(path.size() - 4, 4, ".csv") == 0;
     return csv ? scene_from_csv(text, path) : scene_from_json(text, path);
 }

@@ -25,6 +25,7 @@ _snug() {
         *:SIDE) words='right left' ;;
         *:HOW) words='backward forward' ;;
         *:WHEN) words='contact inside' ;;
+        park:VIEW) words='maneuver map' ;;
         *:VIEW) words='maneuver entries' ;;
         *:CURB) words='high low' ;;
         leave:FORMAT | 'atlas query:FORMAT') words='text json' ;;

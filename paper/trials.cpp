@@ -9,8 +9,8 @@ namespace snug::paper {
 
 namespace {
 
-constexpr double slot_width = 2.0;  // [m]
-constexpr double longest = 5.8;     // [m]
+constexpr double width_of_all = 2.0;  // [m]
+constexpr double longest = 5.8;       // [m]
 
 }  // namespace
 
@@ -22,9 +22,9 @@ std::vector<TrialsInSlot> trials_over_length(Work& work) {
     for (int i = static_cast<int>(std::floor((longest - zoe.length()) / step)); i >= 0; --i)
         all.push_back({on_grid(longest - i * step), {}, {}});
     work.each(all.size(), [&](std::size_t i) {
-        const Slot slot({.length = all[i].length, .width = slot_width});
+        const Slot slot({.length = all[i].length, .width = width_of_all});
         all[i].trials = reversed_trials_by_goal(zoe, slot);
-        all[i].max_steer = entry(zoe, slot).direction_changes;
+        all[i].max_steer = entry(zoe, slot, {.prove = false}).direction_changes;
     });
     return all;
 }

@@ -2,8 +2,8 @@
 #include "snug/park_map.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,7 +49,12 @@ public:
     void add(std::uint64_t bits) {
         for (int i = 0; i < 8; ++i, bits >>= 8) hash_ = (hash_ ^ (bits & 0xFF)) * 0x100000001B3;
     }
-    void add(double number) { add(std::bit_cast<std::uint64_t>(number == 0.0 ? 0.0 : number)); }
+    void add(double number) {
+        const double same = number == 0.0 ? 0.0 : number;
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &same, sizeof bits);
+        add(bits);
+    }
     void add(const Point& p) {
         add(p.x);
         add(p.y);

@@ -19,12 +19,14 @@ inline std::uint64_t number(const char* variable, std::uint64_t otherwise) {
     return value == nullptr ? otherwise : std::strtoull(value, nullptr, 10);
 }
 
-/// `full` with SNUG_SOAK=1, a tenth of the sample with SNUG_SMALL=1 (sanitizers), else `usual`.
-inline int sample(int usual, int full) {
+/// `full` with SNUG_SOAK=1, `small` with SNUG_SMALL=1 (sanitizers), else `usual`.
+inline int sample(int usual, int full, int small) {
     if (is_set("SNUG_SOAK")) {
         return full;
     }
-    return is_set("SNUG_SMALL") ? std::max(1, usual / 10) : usual;
+    return is_set("SNUG_SMALL") ? small : usual;
 }
+/// The same, small a tenth of the usual.
+inline int sample(int usual, int full) { return sample(usual, full, std::max(1, usual / 10)); }
 
 }  // namespace snug::test

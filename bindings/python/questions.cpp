@@ -233,7 +233,6 @@ void define_entry(py::module_& module) {
                given.read("max_changes", options.max_changes);
                given.read("min_range", options.min_range);
                given.read_conditions(options);
-               options.prove = true;
                given.read("prove", options.prove);
                const auto baseline = given.baseline();
                Progress progress(given.callback("progress"));

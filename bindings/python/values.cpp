@@ -297,6 +297,9 @@ void define_maneuver(py::module_& module) {
                   "How often the driving direction changes between one move and the next.")
         .property("length", &Maneuver::length, "Path of the rear axle centre. [m]")
         .property(
+            "seconds", [](const Maneuver& m) { return snug::trajectory(m).seconds(); },
+            "How long it takes at the usual limits of trajectory(). [s]")
+        .property(
             "entry",
             [](const Maneuver& m) -> std::optional<Pose> {
                 if (m.moves.empty()) return std::nullopt;

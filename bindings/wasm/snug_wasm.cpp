@@ -136,7 +136,8 @@ val entry_question(const val& given_car, const val& given_slot, const val& given
         auto options = common<EntryOptions>(given_options);
         options.max_changes = count_given(given_options, "max_changes");
         options.min_range = number_given(given_options, "min_range").value_or(0.0);
-        if (const std::optional<val> prove = given(given_options, "prove")) options.prove = prove->as<bool>();
+        const std::optional<val> prove = given(given_options, "prove");
+        options.prove = prove && prove->as<bool>();  // the page answers within a frame and says what it is
         if (const std::optional<val> progress = given(given_options, "progress"))
             options.progress = [progress](double part) { return goes_on(*progress, part); };
         return as_object(as_json(car, slot, options, entry(car, slot, options)));

@@ -33,7 +33,8 @@ struct Answer {
     /// Nothing that was asked about has fewer; more than what is allowed: the car cannot park with as many. Among all
     /// maneuvers for fewest() and leave(), among entry headings for full steering.
     int lower_bound = 0;
-    /// The two meet, or the lower bound exceeds what is allowed; with full steering also: no heading is missed.
+    /// The two meet, or the lower bound exceeds what is allowed. With full steering also: no heading is missed but for
+    /// those in `undecided`, together no wider than 1e-9 rad, of which neither this nor the lower bound tells.
     bool proved = false;
     /// Given up before anything was decided, by the progress callback or at the bound on work: as far as it had come.
     bool cancelled = false;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "snug/car.hpp"
 #include "snug/entry.hpp"
@@ -21,9 +22,13 @@ enum class PictureFormat { svg, pdf, png };
 /// The format a file name asks for by its extension (.svg, .pdf, .png in any case); empty for any other.
 std::optional<PictureFormat> picture_format(std::string_view file_name);
 
+/// What people call what a car meets, in pictures and in text: "front neighbour". Programs read to_string().
+std::string_view called(Obstacle obstacle);
+
 /// What the answer was asked with.
 struct PictureOptions {
     Driving driving = {};
+    std::vector<std::vector<Pose>> tracks = {};  ///< of a car that errs, below the maneuver of draw_park()
 };
 
 // All pictures lie in the slot's own frame with the road at the top, whatever the slot's corner and heading. A slot on

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "snug/drive.hpp"
 #include "snug/entry.hpp"
 #include "snug/fewest.hpp"
 #include "snug/min_slot.hpp"
@@ -52,6 +53,8 @@ Json as_json(const Car& car, const Slot& slot, const EntryOptions& options, cons
 /// The answer of `snug entry --strategy fewest --format json`, with `proved` and `lower_bound`. `max_changes` as asked.
 Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, const Answer& answer,
              const Driving& driving = {}, const Parked& parked = {});
+/// `any_maneuver`: what all maneuvers can where a strategy cannot park; `direction_changes` is null where none was found.
+Json any_maneuver_as_json(const Answer& answer);
 /// A row of `snug min-slot --format json`.
 Json as_json(const MinSlot& slot, const MinSlotOptions& options);
 /// The answer of `snug leave --format json`.
@@ -63,6 +66,12 @@ Json park_as_json(const Car& car, const Street& street, const Pose& start, const
 Json park_as_json(const Car& car, const Scene& scene, const ParkOptions& options, const ParkAnswer& answer);
 /// The same as CSV: a row for every move.
 std::string park_as_csv(const Place& place, const ParkAnswer& answer);
+/// The answer of `snug drive --format json`, in a street or in a scene.
+Json drive_as_json(const Car& car, const Street& street, const Pose& start, const DriveOptions& options,
+                   const DriveAnswer& answer);
+Json drive_as_json(const Car& car, const Scene& scene, const DriveOptions& options, const DriveAnswer& answer);
+/// The same as CSV: a row for every run.
+std::string drive_as_csv(const DriveAnswer& answer);
 /// A street's slot, and a scene as a file of its own.
 Json as_json(const Street& street);
 Json as_json(const Scene& scene);

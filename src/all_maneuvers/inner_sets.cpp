@@ -36,7 +36,7 @@ void tidy(std::vector<Interval>& intervals, std::size_t most) {
     }
 }
 
-InnerSet::Few free_intervals(const std::vector<Band>& solids, double x, const Interval& within, double wary,
+InnerSet::Few free_intervals(const std::vector<Band>& solids, double x, const Interval& within, double kept,
                              std::vector<Interval>& taken, std::vector<Interval>& intervals) {
     const auto [low, high] = within;
     taken.clear();
@@ -46,18 +46,18 @@ InnerSet::Few free_intervals(const std::vector<Band>& solids, double x, const In
         solid.at(x, from_y, to_y);
         if (from_y < to_y && to_y > low && from_y < high) taken.push_back({from_y, to_y});
     }
-    return free_between(within, wary, taken, intervals);
+    return free_between(within, kept, taken, intervals);
 }
 
-InnerSet::Few free_between(const Interval& within, double wary, std::vector<Interval>& taken,
+InnerSet::Few free_between(const Interval& within, double kept, std::vector<Interval>& taken,
                            std::vector<Interval>& intervals) {
     InnerSet::Few few = {static_cast<std::uint32_t>(intervals.size()), 0};
     const auto [low, high] = within;
     if (low > high) return few;
     std::sort(taken.begin(), taken.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
     const auto add = [&](double from_y, double to_y) {
-        if (from_y + wary > to_y - wary) return;
-        intervals.push_back({from_y + wary, to_y - wary});
+        if (from_y + kept > to_y - kept) return;
+        intervals.push_back({from_y + kept, to_y - kept});
         ++few.count;
     };
     double begin = low;

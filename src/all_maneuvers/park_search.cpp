@@ -48,12 +48,28 @@ Layer hull_of(const BothWays<Limits>& moves) {
     return hull(several);
 }
 
+std::size_t bytes_of(const Limits& limits) {
+    std::size_t bytes = 0;
+    for (const Layer& layer : limits) bytes += (layer.low.size() + layer.high.size()) * sizeof(Micro);
+    return bytes;
+}
+
+/// More memory would be needed than anybody expects; what is known by then stands.
+struct TooLarge {};
+constexpr std::size_t most_bytes = 300'000'000;  ///< of sets; ways along them take as much again
+
 /// From what is left of the lattice twice as coarse to what is left of this one; nothing when the start is out of reach.
+/// Throws TooLarge.
 std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coarse, ParkBounds& bounds,
                             const Watching& watch) {
     const double h = coarse.h / 2.0;
-    const OuterLattice lattice(place, h, h0, &coarse.hull_of_all, watch);
     const std::size_t moves = coarse.moves.forward.size();
+    // Each cell has up to four children. They are held as limits, as what is reached from the parked poses and as what is left.
+    std::size_t before = 0;
+    for (const Direction direction : both_directions)
+        for (const Limits& left : coarse.moves.of(direction)) before += bytes_of(left);
+    if (before * 4 * 2 > most_bytes) throw TooLarge{};
+    const OuterLattice lattice(place, h, h0, &coarse.hull_of_all, watch);
     BothWays<Limits> limits;
     for (const Direction direction : both_directions)
         for (const Limits& left : coarse.moves.of(direction)) limits.of(direction).push_back(lattice.clipped(left));
@@ -91,6 +107,10 @@ std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coar
             now.of(direction).push_back(std::move(pairs));
         }
         in = std::move(now);
+        for (const Direction direction : both_directions) {  // no longer needed
+            out.of(direction).pop_back();
+            if (k + 1 < moves) limits.of(direction).pop_back();
+        }
     }
     left.hull_of_all = hull_of(left.moves);
     bounds.updates += lattice.updates;
@@ -201,12 +221,12 @@ private:
         Found found{grown, InnerLattice(place, left_.h, h0_, left_.hull_of_all, watch_), {}};
         const std::size_t moves = left_.moves.forward.size();
         found.chain.last = last;
+        found.chain.parked = found.lattice.parked();
         found.chain.reaches.resize(moves);  // so that directions can be told
         for (std::size_t k = 0; k < moves; ++k) {
             const Direction direction = found.chain.direction(k);
-            found.chain.begins.push_back(k == 0 ? found.lattice.parked() : found.chain.reaches[k - 1]);
             found.chain.reaches[k] =
-                found.lattice.sweep(found.chain.begins[k], left_.moves.of(direction)[k], direction, watch_);
+                found.lattice.sweep(found.chain.begins(k), left_.moves.of(direction)[k], direction, watch_);
         }
         updates_ += found.lattice.updates;
         if (!found.lattice.holds_start(found.chain.reaches.back())) return std::nullopt;
@@ -376,6 +396,8 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
                     sets.of(direction).push_back(std::move(next.of(direction).front()));
             }
         };
+        // Outward, inward, and what is left: of all moves in both directions.
+        if (bytes_of(lattice.free()) * 6 * static_cast<std::size_t>(changes + 1) > most_bytes) throw TooLarge{};
         deepen(out, false);
         deepen(in, true);
         Left left;
@@ -405,59 +427,66 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         while (left && left->h > 1.001 * h) left = refined(question.place, h0, *left, bounds, watch);
         return left;
     };
+    const auto driven_at = [&](int changes, double h) {
+        try {
+            const std::optional<Left> left = left_for(changes, h);
+            if (left) return way_to_drive(question, *left, watch, bounds.updates);
+        } catch (const TooLarge&) {
+        }
+        return std::vector<Path>{};
+    };
     const auto finish = [&] {
         if (!question.roomiest || !bounds.upper) return;
         // A lattice that just holds a way may not hold one that keeps a distance, but the next one may.
         std::vector<Path> way;
-        for (double h = found_at; way.empty() && h > 0.999 * question.finest && h > 0.4 * found_at; h /= 2.0) {
-            const std::optional<Left> left = left_for(*bounds.upper, h);
-            if (left) way = way_to_drive(question, *left, watch, bounds.updates);
-        }
+        for (double h = found_at; way.empty() && h > 0.999 * question.finest && h > 0.4 * found_at; h /= 2.0)
+            way = driven_at(*bounds.upper, h);
         if (way.empty()) way = polished(question.place, bounds.way);
         if (changes_of(way) == *bounds.upper && is_drivable(question.place, way)) bounds.way = std::move(way);
         bounds.others.reserve(others_tried);
         const std::vector<Path>* best = &bounds.way;
         for (int more = 1; more <= others_tried && *bounds.upper + more <= question.max_changes; ++more) {
-            const std::optional<Left> left = left_for(*bounds.upper + more, h0);
-            if (!left) continue;
-            std::vector<Path> other = way_to_drive(question, *left, watch, bounds.updates);
+            std::vector<Path> other = driven_at(*bounds.upper + more, h0);
             if (other.empty() || changes_of(other) != *bounds.upper + more || !worth_a_change(question, other, *best))
                 continue;
             bounds.others.push_back(std::move(other));
             best = &bounds.others.back();
         }
     };
-    for (double h = h0; h > 0.999 * question.finest && !bounds.meet(); h /= 2.0) {
-        // What is left for the lower bound at this spacing; each count that turns out impossible moves it up.
-        std::optional<Left> left;
-        while (!left && !bounds.meet() && bounds.lower <= question.max_changes) {
-            left = left_for(bounds.lower, h);
-            if (!left) ++bounds.lower;
+    try {
+        for (double h = h0; h > 0.999 * question.finest && !bounds.meet(); h /= 2.0) {
+            // What is left for the lower bound at this spacing; each count that turns out impossible moves it up.
+            std::optional<Left> left;
+            while (!left && !bounds.meet() && bounds.lower <= question.max_changes) {
+                left = left_for(bounds.lower, h);
+                if (!left) ++bounds.lower;
+            }
+            if (!left) break;
+            bounds.spacing = h;
+            if (try_way(*left)) {
+                found_at = h;
+                break;
+            }
+            left.reset();
+            // None found with as few as the lower bound: how many may it take?
+            int changes = bounds.lower + 1;
+            if (!bounds.upper && h > 0.3 * h0) {
+                const OuterLattice all(question.place, h, h0, nullptr, watch);
+                const int most = std::min(question.max_changes, bounds.lower + far_above);
+                changes = std::max(
+                    changes,
+                    changes_along(question.place, h, h0, all.free(), most, watch, bounds.updates).value_or(most + 1));
+            }
+            const int most = std::min(
+                {question.max_changes, changes + tried_above, bounds.upper.value_or(question.max_changes + 1) - 1});
+            for (; changes <= most; ++changes) {
+                const std::optional<Left> more = left_for(changes, h);
+                if (!more || !try_way(*more)) continue;
+                found_at = h;
+                break;
+            }
         }
-        if (!left) break;
-        bounds.spacing = h;
-        if (try_way(*left)) {
-            found_at = h;
-            break;
-        }
-        left.reset();
-        // None found with as few as the lower bound: how many may it take?
-        int changes = bounds.lower + 1;
-        if (!bounds.upper && h > 0.3 * h0) {
-            const OuterLattice all(question.place, h, h0, nullptr, watch);
-            const int most = std::min(question.max_changes, bounds.lower + far_above);
-            changes = std::max(
-                changes,
-                changes_along(question.place, h, h0, all.free(), most, watch, bounds.updates).value_or(most + 1));
-        }
-        const int most = std::min(
-            {question.max_changes, changes + tried_above, bounds.upper.value_or(question.max_changes + 1) - 1});
-        for (; changes <= most; ++changes) {
-            const std::optional<Left> more = left_for(changes, h);
-            if (!more || !try_way(*more)) continue;
-            found_at = h;
-            break;
-        }
+    } catch (const TooLarge&) {
     }
     finish();
 }

@@ -24,7 +24,7 @@ std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& ch
         const Direction leaving = chain.direction(k);
         const Direction direction = leaving == Direction::forward ? Direction::backward : Direction::forward;
         const Stepper stepper(lattice, leaving);
-        const InnerSet &begins = chain.begins[k], &reaches = chain.reaches[k];
+        const InnerSet &begins = chain.begins(k), &reaches = chain.reaches[k];
         for (;;) {
             // Where the next move can begin this one may end; it goes on as long as that gives more room.
             const double room_here = begins.at(at.row, at.column).room(at.y);

@@ -11,10 +11,12 @@ namespace snug::detail::sets {
 
 /// The sets of one alternation of moves, outward from the parked poses: the last one holds the start.
 struct InnerChain {
-    std::vector<InnerSet> begins;  ///< where move k begins to leave: the parked poses, then the move before
+    InnerSet parked;
     std::vector<InnerSet> reaches;
     Direction last = Direction::forward;  ///< of the last one, leaving
 
+    /// Where move k begins to leave: at the parked poses, then where the move before leads.
+    [[nodiscard]] const InnerSet& begins(std::size_t k) const { return k == 0 ? parked : reaches[k - 1]; }
     [[nodiscard]] Direction direction(std::size_t k) const {
         const bool same = (reaches.size() - 1 - k) % 2 == 0;
         return same == (last == Direction::forward) ? Direction::forward : Direction::backward;

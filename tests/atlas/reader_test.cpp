@@ -173,7 +173,7 @@ TEST(AtlasReader, LooksUpWhatASearchOfAllSlotsFinds) {
 /// What entry() finds, as a cell.
 CellAnswer solved(const Car& car, double length, double width, const AtlasOptions& options) {
     const Answer found = entry(car, Slot({.length = length, .width = width}),
-                               {.max_changes = options.max_changes, .driving = options.driving});
+                               {.max_changes = options.max_changes, .driving = options.driving, .prove = false});
     CellAnswer answer;
     answer.direction_changes = found.direction_changes;
     answer.ranges = found.ranges;
@@ -220,7 +220,7 @@ TEST(AtlasReader, AStoredManeuverIsTheSolversInAnySlotOfItsSize) {
             const Slot slot = random_slot(random, cell.length(), cell.width());
             const Car car = atlas.car(c);
             const Maneuver stored = maneuver(cell, car, slot);
-            const Answer fresh = entry(car, slot, {.driving = {.enter = enter}});
+            const Answer fresh = entry(car, slot, {.driving = {.enter = enter}, .prove = false});
             ASSERT_EQ(fresh.direction_changes, cell.direction_changes());
             ASSERT_EQ(fresh.maneuver ? fresh.maneuver->moves.size() : 0, stored.moves.size());
             if (!fresh.maneuver) continue;

@@ -55,7 +55,7 @@ TEST(Atlas, StoredSlotsAreAnsweredAsByEntry) {
         const std::string slot = " --car renault-zoe --format json " + where;
         const Result fresh = run("entry" + slot);
         json wanted = json::parse(fresh.out);
-        for (const char* key : {"proved", "undecided", "proved_changes"})
+        for (const char* key : {"proved", "undecided", "proved_changes", "any_maneuver"})
             wanted.erase(key);  // an atlas holds quick answers
         for (const std::string file : {"a.sqlite", "a.atlas"}) {
             SCOPED_TRACE(file + slot);
@@ -139,6 +139,39 @@ TEST(Atlas, BetweenGridPointsItSaysWhichCellItUsed) {
     EXPECT_EQ(unknown.exit_code, 3) << "too small a cell says nothing of a larger slot: " << unknown.out;
     EXPECT_EQ(json::parse(run(zoe + "--length 4.45 --width 1.85 --format json").out)["parkable"], nullptr);
     EXPECT_EQ(run(zoe + "--length 4.4 --width 1.8").exit_code, 1);
+}
+
+TEST(Atlas, BeyondItsGridTheLargestSlotThatFitsAnswers) {
+    const Folder folder;
+    for (const std::string strategy : {"max-steer", "fewest --resolution 0.02"}) {
+        const std::string file = folder.file("a.sqlite");
+        std::filesystem::remove(file);
+        ASSERT_EQ(run("atlas build --db " + file +
+                      " --cars renault-zoe --width 1.9:2.1:0.1 --length 5:5.4:0.2 --strategy " + strategy)
+                      .exit_code,
+                  0);
+        run("atlas export --db " + file + " -o " + folder.file("a.atlas"));
+        for (const std::string& atlas : {file, folder.file("a.atlas")}) {
+            const std::string ask = "atlas query --db " + atlas + " --car renault-zoe --format json ";
+            const json within = json::parse(run(ask + "--length 5.4 --width 2.1").out);
+            const Result result = run(ask + "--length 9 --width 2.5");
+            ASSERT_EQ(result.exit_code, 0) << result.err;
+            const json beyond = json::parse(result.out);
+            EXPECT_EQ(beyond["slot"]["length"], 9.0);
+            EXPECT_EQ(beyond["cell"]["length"], 5.4);
+            EXPECT_EQ(beyond["direction_changes"], within["direction_changes"]);
+            EXPECT_EQ(beyond["maneuver"]["entry"], within["maneuver"]["entry"]);
+            if (strategy != "max-steer") {
+                EXPECT_EQ(beyond["lower_bound"], 0) << "nothing is proved of larger slots";
+            }
+            expect_refusal(run(ask + "--length 4.9 --width 2.5"), {"--length", "outside the atlas"});
+        }
+        EXPECT_EQ(
+            run("atlas query --db " + file + " --car renault-zoe --length 9 --width 2 --draw " + folder.file("a.svg"))
+                .exit_code,
+            0);
+        EXPECT_EQ(contents(folder.file("a.svg")).substr(0, 5), "<?xml");
+    }
 }
 
 TEST(Atlas, FewestTellsWhatIsProved) {
@@ -288,7 +321,7 @@ TEST(Atlas, WrongInputIsToldAndNothingIsStarted) {
     ASSERT_EQ(run(build(file)).exit_code, 0);
     const std::string ask = "atlas query --db " + file + " --car ";
     expect_refusal(run(ask + "mid-size" + sizes), {"mid-size", "not in the atlas", "opel-corsa, renault-zoe"});
-    expect_refusal(run(ask + "opel-corsa --width 2 --length 7"), {"--length", "from 4.4 m to 5.2 m", "ask for 5.2"});
+    expect_refusal(run(ask + "opel-corsa --width 2 --length 4.3"), {"--length", "from 4.4 m to 5.2 m", "built first"});
     expect_refusal(run(ask + "opel-corsa --width 1 --length 5"), {"--width", "from 1.8 m to 2.2 m"});
     expect_refusal(run(ask + "opel-corsa --format csv" + sizes), {"--format", "export"});
     expect_refusal(run("atlas export --db " + file + " -o " + folder.file("a.txt")), {".csv or .atlas"});

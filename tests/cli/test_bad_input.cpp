@@ -159,7 +159,7 @@ TEST(BadInput, OnlyWordsThatAreNearAreSuggested) {
     suggests(zoe + "--changes 3", "--max-changes");
     suggests(zoe + "--CAR 3", "--car");
     suggests(zoe + "-widht=3", "--width");
-    suggests_nothing(zoe + "--speed 3", "snug entry --help");
+    suggests_nothing(zoe + "--haste 3", "snug entry --help");
     suggests_nothing(zoe + "-x", "snug entry --help");
     const Folder folder;
     suggests("cars " + folder.with("near.json", R"({"wheel-base": 2})"), "\"wheelbase\"");
@@ -167,6 +167,13 @@ TEST(BadInput, OnlyWordsThatAreNearAreSuggested) {
         "cars " + folder.with("far.json", R"({"colour": 2})"),
         "write width, front, rear, wheelbase, length, front_overhang, rear_overhang, max_steer, max_steer_deg, "
         "turning_radius, curb_to_curb, wall_to_wall, outline, corner_radius or name");
+}
+
+TEST(BadInput, AnOptionOfAnotherCommandIsToldAsSuch) {
+    expect_refusal(run(zoe + "--road 4"), {"\"--road\"", "belongs to snug park or snug leave"});
+    expect_refusal(run("min-slot --car mid-size --width 2 --angle 90"), {"\"--angle\"", "snug park"});
+    expect_refusal(run("park --car mid-size --length 6 --width 2 --min-range 0.1"), {"snug entry or snug min-slot"});
+    expect_refusal(run(zoe + "--gap-curb=0.1"), {"\"--gap-curb\"", "snug leave"});
 }
 
 TEST(BadInput, BytesThatAreNoTextAreShownAsNumbers) {

@@ -207,6 +207,20 @@ TEST(Cars, TheCatalogueComesAsTextJsonAndCsv) {
     EXPECT_EQ(csv.out.rfind("name,width,front,rear,wheelbase,max_steer,", 0), 0U);
 }
 
+TEST(Cars, AFilesTextShowsWhatWasUnderstood) {
+    const Folder folder;
+    const std::string file = folder.with(
+        "sheet.json",
+        R"({"name": "sheet", "width": 1.8, "length": 4.4, "front_overhang": 1.0, "wheelbase": 2.6, "curb_to_curb": 10.9,
+            "corner_radius": 0.3})");
+    const Result result = run("cars " + file);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    for (const char* shown : {"4.400 m", "1.000 m", "and 0.800 m behind", "10.900 m", "wall to wall", "outline"})
+        EXPECT_NE(result.out.find(shown), std::string::npos) << shown << " is not in\n" << result.out;
+    const Json car = Json::parse(run("cars --format json " + file).out);
+    EXPECT_NEAR(car["front"].get<double>(), 3.6, 1e-12);
+}
+
 TEST(Cars, OneCarIsACarFile) {
     const Folder folder;
     for (const Car& car : catalogue()) {

@@ -77,7 +77,7 @@ TEST(Entry, JsonHasTheDocumentedKeysInOrder) {
     EXPECT_TRUE(answer["max_changes"].is_null());
     EXPECT_EQ(answer["parkable"], true);
     const Json& maneuver = answer["maneuver"];
-    EXPECT_EQ(keys(maneuver), (Keys{"direction_changes", "length", "swept", "entry", "goal", "moves"}));
+    EXPECT_EQ(keys(maneuver), (Keys{"direction_changes", "length", "seconds", "swept", "entry", "goal", "moves"}));
     EXPECT_EQ(keys(maneuver["swept"]), (Keys{"x_min", "x_max", "y_min", "y_max"}));
     EXPECT_EQ(keys(maneuver["entry"]), (Keys{"x", "y", "heading"}));
     for (const Json& move : maneuver["moves"]) {
@@ -172,7 +172,9 @@ TEST(Entry, ACarThatCannotParkIsAnAnswer) {
     EXPECT_EQ(json.err, "");
     const Json answer = Json::parse(json.out);
     EXPECT_EQ(keys(answer), (Keys{"schema", "car", "slot", "strategy", "max_changes", "parkable", "proved", "undecided",
-                                  "proved_changes", "entry_ranges"}));
+                                  "proved_changes", "entry_ranges", "any_maneuver"}));
+    EXPECT_EQ(answer["any_maneuver"],
+              Json::parse(R"({"direction_changes": null, "lower_bound": 201, "proved": true})"));
     EXPECT_EQ(answer["proved"], true);
     EXPECT_EQ(answer["proved_changes"], 200);
     EXPECT_EQ(answer["parkable"], false);
@@ -188,6 +190,110 @@ TEST(Entry, ACarThatCannotParkIsAnAnswer) {
     const Result tight = run("entry --car renault-zoe --extra-length 0.001 --extra-width 0.001");
     EXPECT_EQ(tight.exit_code, 1);
     EXPECT_NE(tight.out.find("up to 200 direction changes"), std::string::npos) << tight.out;
+}
+
+/// A car file for tests: a bus, and a car with a sheet's words.
+const char* const bus =
+    R"({"name": "bus", "width": 2.55, "length": 12, "front_overhang": 2.8, "wheelbase": 6, "max_steer_deg": 50})";
+
+TEST(Entry, WhereFullSteeringCannotAnyManeuverIsTold) {
+    const Folder folder;
+    const std::string file = folder.with("bus.json", bus);
+    for (const std::string& question :
+         {"entry --length 15 --width 3 --car " + file,
+          std::string("entry --car vw-transporter --length 6.3 --width 2.2"),
+          std::string("entry --car renault-zoe --length 4.8 --width 1.84"),
+          std::string("entry --car renault-zoe --length 4.8 --width 1.84 --strategy reversed-trials")}) {
+        const Result result = run(question + " --format json");
+        ASSERT_EQ(result.exit_code, 1) << question << result.err;  // the strategy's own answer and exit code stay
+        const Json answer = Json::parse(result.out);
+        EXPECT_EQ(answer["parkable"], false);
+        const Json& any = answer["any_maneuver"];
+        EXPECT_EQ(keys(any), (Keys{"direction_changes", "lower_bound", "proved"}));
+        const std::string plain = question.substr(0, question.find(" --strategy"));
+        const Json fewest = Json::parse(run(plain + " --strategy fewest --format json").out);
+        ASSERT_TRUE(any["direction_changes"].is_number()) << question;
+        EXPECT_GE(any["direction_changes"], fewest["lower_bound"]) << question;
+        EXPECT_LE(any["lower_bound"], fewest["direction_changes"]) << question;
+        EXPECT_LE(any["lower_bound"], any["direction_changes"]) << question;
+        EXPECT_EQ(any["proved"], any["lower_bound"] == any["direction_changes"]) << question;
+        const Result text = run(question);
+        EXPECT_EQ(text.exit_code, 1);
+        EXPECT_NE(text.out.find("--strategy fewest"), std::string::npos) << text.out;
+    }
+    EXPECT_EQ(Json::parse(run("entry --length 15 --width 3 --format json --car " + file).out)["any_maneuver"],
+              Json::parse(R"({"direction_changes": 0, "lower_bound": 0, "proved": true})"));
+    EXPECT_FALSE(Json::parse(run(zoe + "--format json").out).contains("any_maneuver"));
+}
+
+TEST(Entry, ACountThatIsNotTheFewestSaysSo) {
+    EXPECT_NE(run("entry --car renault-zoe --length 5.2 --width 1.9").out.find("do with 2 direction changes"),
+              std::string::npos);
+    EXPECT_EQ(run("entry --car renault-zoe --length 5.2 --width 2").out.find("Other maneuvers"), std::string::npos);
+}
+
+/// What stands in the last column of the "What would do" that names it.
+std::string way_out(const std::string& text, const std::string& what) {
+    for (const std::string& line : lines(text))
+        if (line.rfind("  " + what, 0) == 0) return line.substr(line.find("--"));
+    return "";
+}
+
+TEST(Entry, ANoNamesTheWayOut) {
+    const std::string slot = "entry --car renault-zoe --length 4.5 --width 2 ";
+    const std::string length = "entry --car renault-zoe --width 2 ";
+    const std::string width = "entry --car renault-zoe --length 4.5 ";
+    for (const std::string& strategy : {std::string(), std::string("--strategy fewest --resolution 0.008 ")}) {
+        const Result no = run(slot + strategy + "--max-changes 5");
+        EXPECT_EQ(no.exit_code, 1);
+        const std::string more = way_out(no.out, "more changes");
+        ASSERT_NE(more, "") << no.out;
+        EXPECT_EQ(run(slot + strategy + more).exit_code, 0) << more;
+        const std::string longer = way_out(no.out, "a longer slot");
+        ASSERT_NE(longer, "") << no.out;
+        EXPECT_EQ(run(length + strategy + "--max-changes 5 " + longer).exit_code, 0) << longer;
+        const std::string wider = way_out(no.out, "a wider slot");
+        ASSERT_NE(wider, "") << no.out;
+        EXPECT_EQ(run(width + strategy + "--max-changes 5 " + wider).exit_code, 0) << wider;
+        EXPECT_EQ(way_out(no.out, "less clearance"), "");
+        const std::string roomy = "entry --car renault-zoe --length 5 --width 2 --max-changes 5 " + strategy;
+        const std::string less = way_out(run(roomy + "--clearance 0.09").out, "less clearance");
+        ASSERT_NE(less, "");
+        EXPECT_EQ(run(roomy + less).exit_code, 0) << less;
+        EXPECT_GT(std::stod(less.substr(12)), 0.05);
+    }
+    const Result small = run("entry --car renault-zoe --length 4 --width 2");
+    EXPECT_NE(way_out(small.out, "a longer slot"), "") << small.out;
+    EXPECT_NE(small.out.find("No other maneuver parks either"), std::string::npos) << small.out;
+    const Result keeping = run("entry --car renault-zoe --length 4.2 --width 2 --clearance 0.1 --strategy fewest");
+    EXPECT_NE(keeping.out.find("too short for the car with its clearance"), std::string::npos) << keeping.out;
+}
+
+TEST(Entry, AnglesAreRadiansOrDegrees) {
+    const std::string form = "--format json ";
+    EXPECT_EQ(run(zoe + form + "--heading 90deg").out, run(zoe + form + "--heading 1.5707963267948966").out);
+    EXPECT_EQ(run(zoe + form + "--heading 0.5rad").out, run(zoe + form + "--heading 0.5").out);
+    EXPECT_EQ(run(zoe + form + "--min-range 0.1deg").out, run(zoe + form + "--min-range 0.0017453292519943296").out);
+    const auto parked = [&](const std::string& angle) {
+        return Json::parse(run(zoe + form + "--parked-heading " + angle).out)["parked"]["heading"].get<double>();
+    };
+    EXPECT_DOUBLE_EQ(parked("0.05rad"), 0.05);
+    EXPECT_EQ(parked("3deg"), parked("3"));
+    expect_refusal(run(zoe + "--heading 100grad"), {"--heading", "radians", "1deg"});
+    expect_refusal(run(zoe + "--min-range 200deg"), {"--min-range", "between 0 and 1.57"});
+    expect_refusal(run(zoe + "--length 5m"), {"--length"});
+}
+
+TEST(Entry, TheCarMayComeOnStandardInput) {
+    const Folder folder;
+    const std::string file = folder.with("bus.json", bus);
+    const auto piped = [&](const std::string& line) {
+        const std::string out = folder.file("out");
+        EXPECT_EQ(std::system((std::string(snug_command()) + ' ' + line + " < " + file + " > " + out).c_str()), 0);
+        return contents(out);
+    };
+    EXPECT_EQ(piped("entry --car - --length 16 --width 4"), run("entry --length 16 --width 4 --car " + file).out);
+    EXPECT_EQ(piped("cars -"), run("cars " + file).out);
 }
 
 TEST(Entry, PicturesAreWrittenInTheFormatOfTheirName) {

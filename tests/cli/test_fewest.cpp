@@ -1,5 +1,6 @@
 // `snug entry --strategy fewest` and `snug leave`: the form of their answers, exit codes and bad input.
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "process.hpp"
 #include "snug/io.hpp"
@@ -51,12 +52,34 @@ TEST(FewestCommand, AnswersInWords) {
     EXPECT_NE(result.out.find("proved"), std::string::npos) << result.out;
 }
 
+TEST(FewestCommand, CsvHasOneRowPerMove) {
+    const std::string question = entry + "5.2 --width 1.9 --format ";
+    const Json moves = Json::parse(run(question + "json").out)["maneuver"]["moves"];
+    std::istringstream rows(run(question + "csv").out);
+    std::string row;
+    std::getline(rows, row);
+    EXPECT_EQ(row,
+              "direction,steering_angle,length,start_x,start_y,start_heading,end_x,end_y,end_heading,contact_car,"
+              "contact_obstacle");
+    for (const Json& move : moves) {
+        ASSERT_TRUE(std::getline(rows, row));
+        const std::string direction = move["direction"];
+        const std::string begins = direction + ',' + move["steering_angle"].dump() + ',' + move["length"].dump() + ',';
+        EXPECT_EQ(row.substr(0, begins.size()), begins);
+        const Json& contact = move["contact"];
+        const std::string ends =
+            contact.is_null() ? ",,"
+                              : ',' + contact["car"].get<std::string>() + ',' + contact["obstacle"].get<std::string>();
+        EXPECT_EQ(row.substr(row.size() - ends.size()), ends);
+    }
+    EXPECT_FALSE(std::getline(rows, row));
+}
+
 TEST(FewestCommand, BadInputIsRefused) {
     const std::string slot = "5.2 --width 1.9 ";
     expect_refusal(run(entry + slot + "--resolution 0"), {"--resolution"});
     expect_refusal(run(entry + slot + "--time-limit -1"), {"--time-limit"});
     expect_refusal(run(entry + slot + "--min-range 0.1"), {"--min-range", "fewest"});
-    expect_refusal(run(entry + slot + "--format csv"), {"--format", "csv"});
     expect_refusal(run("entry --car renault-zoe --length 5 --width 2 --resolution 0.01"), {"--resolution", "fewest"});
     expect_refusal(run(entry + "4.8 --width 1.84 --resolution 1e-6"), {"resolution", "GB"});
 }

@@ -175,6 +175,57 @@ TEST(MinSlot, OneSlotIsAnsweredInWords) {
     for (int i = 0; i < 3; ++i) EXPECT_EQ(rows[std::size_t(i)]["max_changes"], i);
 }
 
+TEST(MinSlot, WithTheSlotAndTheChangesItIsTheClearanceThatIsFound) {
+    const std::string slot = " --car renault-zoe --length 5 --width 2 ";
+    for (const std::string strategy : {"max-steer", "fewest --resolution 0.008"}) {
+        const std::string how = slot + "--strategy " + strategy + " --format json ";
+        const Result result = run("min-slot --max-changes 1,3,5" + how);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        const Json answer = Json::parse(result.out);
+        const bool exact = strategy == "max-steer";
+        double last = -1.0;
+        for (const Json& row : answer["rows"]) {
+            EXPECT_EQ(row["length"], 5.0);
+            EXPECT_EQ(row["width"], 2.0);
+            const std::string most = " --max-changes " + std::to_string(row["max_changes"].get<int>());
+            if (row["clearance"].is_null()) {
+                EXPECT_EQ(run("entry" + how + most).exit_code, 1) << row;
+                continue;
+            }
+            const double clearance = row["clearance"];
+            EXPECT_GT(clearance, last) << "more changes keep more";
+            last = clearance;
+            EXPECT_EQ(run("entry" + how + most + " --clearance " + write(clearance)).exit_code, 0) << row;
+            const double beyond = exact ? clearance + 1e-6 : row["clearance_upper"].get<double>() + 1e-6;
+            EXPECT_EQ(run("entry" + how + most + " --clearance " + write(beyond)).exit_code, 1) << row;
+        }
+        EXPECT_GT(last, 0.05);
+    }
+    EXPECT_EQ(run("min-slot --max-changes 0" + slot).exit_code, 1);
+    EXPECT_EQ(lines(run("min-slot --max-changes 3" + slot + "--format csv").out)[0],
+              "max_changes,width,length,clearance");
+}
+
+TEST(MinSlot, WhereFullSteeringHasNoSlotOtherManeuversAreTold) {
+    const Folder folder;
+    const std::string file = folder.with("bus.json",
+                                         R"({"name": "bus", "width": 2.55, "length": 12, "front_overhang": 2.8,
+                                             "wheelbase": 6, "max_steer_deg": 50})");
+    const Result result = run("min-slot --max-changes 0 --width 2.8,3.0 --car " + file);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.out.find("Other maneuvers"), std::string::npos) << result.out;
+    EXPECT_EQ(run("entry --length 15 --width 3 --strategy fewest --max-changes 0 --car " + file).exit_code, 0);
+    EXPECT_EQ(run(zoe + "--max-changes 1 --width 1.6").out.find("Other"), std::string::npos) << "narrower than the car";
+}
+
+TEST(MinSlot, OneSlotIsDrawn) {
+    const Folder folder;
+    const std::string slot = " --car renault-zoe --length 5.2 --width 2.1 ";
+    EXPECT_EQ(run("min-slot" + slot + "--draw " + folder.file("a.svg")).exit_code, 0);
+    EXPECT_EQ(run("entry" + slot + "--draw " + folder.file("b.svg")).exit_code, 0);
+    EXPECT_EQ(contents(folder.file("a.svg")), contents(folder.file("b.svg")));
+}
+
 TEST(MinSlot, ThePapersLoopIsCoarserAndNeverShorter) {
     const std::string stepping = "--strategy stepping --step 0.01 --heading-step 0.002 ";
     const Json loop =
@@ -209,7 +260,12 @@ TEST(MinSlot, BadInputIsNamed) {
     expect_refusal(run(zoe), {"--width is missing"});
     expect_refusal(run("min-slot --width 2 --max-changes 1"), {"--car is missing"});
     expect_refusal(run(zoe + "--width 2"), {"--max-changes is missing"});
-    expect_refusal(run(zoe + "--width 2 --length 5 --max-changes 1"), {"--length", "--width", "--max-changes"});
+    expect_refusal(run(zoe + "--width 2 --length 5 --max-changes 1 --clearance 0.1"), {"--clearance", "leave it out"});
+    expect_refusal(run(zoe + "--width 2 --length 5,6 --max-changes 1"), {"--length is a list"});
+    expect_refusal(run(zoe + "--width 2 --length 5 --max-changes 1 --strategy stepping"), {"--strategy", "fewest"});
+    expect_refusal(run(zoe + "--width 2 --max-changes 2-5"), {"--max-changes", "write 2:5:1"});
+    expect_refusal(run(zoe + "--width 1.8-2.4 --max-changes 2"), {"--width", "write 1.8:2.4:0.01"});
+    expect_refusal(run(zoe + "--width 2 --max-changes 2 --draw x.svg"), {"--draw", "one slot"});
     expect_refusal(run(zoe + "--width 2,3 --length 5"), {"--width is a list"});
     expect_refusal(run(zoe + "--width 2 --extra-width 1 --max-changes 1"), {"--width", "--extra-width", "exclude"});
     for (const char* bad : {"2.4:1.8:0.1", "1.8:2.4:0", "1.8:2.4:-0.1", "1.8:2.4", "nan", "nan:2:0.1", "1.8:inf:0.1",

@@ -196,6 +196,20 @@ TEST(ParkCommand, WritesPicturesAndWaypoints) {
               0);
 }
 
+TEST(ParkCommand, DrawsFromWhereHowManyChangesAreNeeded) {
+    const Folder folder;
+    EXPECT_EQ(run(street + "--from 2,1.75,0 --view map --draw " + folder.file("map.svg")).exit_code, 0);
+    const std::string map = contents(folder.file("map.svg"));
+    EXPECT_NE(map.find("from where it stands 1 direction change, proved the fewest</title>"), std::string::npos);
+    EXPECT_EQ(run(park + "--length 4 --width 2 --view map --draw " + folder.file("none.svg")).exit_code, 1);
+    EXPECT_NE(contents(folder.file("none.svg")).find("no number of changes will do</title>"), std::string::npos);
+    EXPECT_EQ(run(park + "--view map --draw " + folder.file("yard.png") + " --scene " + folder.with("yard.json", yard))
+                  .exit_code,
+              0);
+    expect_refusal(run(street + "--view map"), {"--view belongs to --draw"});
+    expect_refusal(run(street + "--view entries --draw " + folder.file("x.svg")), {"--view", "maneuver", "map"});
+}
+
 TEST(LeaveCommand, LeavesBaysAndNarrowRoads) {
     const std::string out = "leave --car renault-zoe --length 5 --width 2.5 --angle 90 --road 5 ";
     const Json json = Json::parse(run(out + "--from -1.25,-4,1.5708 --format json").out);

@@ -274,6 +274,33 @@ TEST(Picture, OfACarThatEntersNoseFirst) {
     }
 }
 
+TEST(Picture, OfAMapShowsCountsByShadeAndIsMirroredOnTheLeft) {
+    const Car car = *find_car("renault-zoe");
+    Street street;
+    street.length = 5.2;
+    street.width = 2.0;
+    street.road = 3.5;
+    const ParkMap map(car, street);
+    for (const PictureFormat format : formats) {
+        const std::string picture = draw_map(map, street, {2.0, 1.75, 0.0}, format);
+        expect_whole(picture, format);
+        EXPECT_EQ(picture, draw_map(map, street, {2.0, 1.75, 0.0}, format));
+    }
+    const auto right = read_png(draw_map(map, street, {2.0, 1.75, 0.0}, PictureFormat::png));
+    street.side = Side::left;
+    const auto left = read_png(draw_map(ParkMap(car, street), street, {2.0, -1.75, 0.0}, PictureFormat::png));
+    for (const Color color : {drawing::rgb(0xa9dcc8), drawing::rgb(0x74c3ad)}) {
+        EXPECT_GT(count(right, color), 10000);
+        EXPECT_NEAR(static_cast<double>(count(right, color)), static_cast<double>(count(left, color)),
+                    0.02 * static_cast<double>(count(right, color)));
+    }
+    // Where the car meets something or outside of the map.
+    const std::string blocked = draw_map(map, street, {2.0, 0.5, 0.0}, PictureFormat::svg);
+    EXPECT_NE(blocked.find("the car meets something where it stands</title>"), std::string::npos);
+    const std::string outside = draw_map(map, street, {2.0, 1.75, 3.0}, PictureFormat::svg);
+    EXPECT_NE(outside.find("outside of the map</title>"), std::string::npos);
+}
+
 TEST(Picture, OfACarThatCannotParkSaysSo) {
     const Car car = *find_car("renault-zoe");
     const Slot slot({3.9, 1.5});

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
@@ -159,6 +160,7 @@ TEST(Fewest, BoundsOfRandomCasesAgreeWithTheirManeuversAndWithFullSteering) {
                       << oracle::command_line(asked) << '\n';
         }
         snug::EntryOptions full_steering;
+        full_steering.prove = false;
         full_steering.driving = asked.driving;
         const snug::Answer max_steer = entry(Car(asked.car), Slot(asked.slot), full_steering);
         if (asked.driving.enter == snug::Enter::backward && max_steer.parkable() &&
@@ -230,7 +232,9 @@ TEST(Fewest, NeitherPlaceNorSideNorScaleMatters) {
 
 TEST(Fewest, AMoveAlongAWallStillHasFewPieces) {
     // Slots hardly wider than the car, and a nose that must stay in: whole moves follow what bounds them.
-    for (const std::uint64_t index : {228, 269, 298}) {
+    const std::array<std::uint64_t, 3> all = {228, 269, 298};
+    for (int i = 0; i < snug::test::sample(3, 3, 1); ++i) {
+        const std::uint64_t index = all[static_cast<std::size_t>(i)];
         const Case asked = oracle::random_case(seed, index);
         SCOPED_TRACE("case " + std::to_string(index) + ": " + oracle::command_line(asked));
         const Answer answer = answer_to(asked, 20, 5e-4 * asked.car_length());

@@ -73,6 +73,7 @@ void attack_all(int usual, int full, Cars cars, std::uint64_t stream, const Atta
 std::string attack_from_above(const MinSlotCase& asked, double size) {
     const Case sized = asked.in_slot_of(size + tenth_of_a_millimetre);
     snug::EntryOptions options;
+    options.prove = false;
     options.max_changes = asked.max_changes;
     options.driving = sized.driving;
     options.parked = sized.parked;

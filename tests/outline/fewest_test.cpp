@@ -45,6 +45,7 @@ TEST(OutlineFewest, BoundsAgreeWithTheirManeuversAndWithFullSteering) {
         }
         if (asked.driving.enter == snug::Enter::forward) continue;
         snug::EntryOptions full_steering;
+        full_steering.prove = false;
         full_steering.driving = asked.driving;
         full_steering.parked = asked.parked;
         const snug::Answer entries = snug::entry(asked.made_car(), asked.made_slot(), full_steering);

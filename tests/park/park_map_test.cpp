@@ -58,9 +58,9 @@ TEST(ParkMap, NoRandomManeuverBeatsItsLowerBounds) {
     const int maneuvers = snug::test::sample(200, 4000);
     long long states = 0;
     for (int i = 0; i < count; ++i) {
-        const Case asked = random_case(static_cast<std::uint64_t>(2000000 + i));
+        const Case asked = random_case(static_cast<std::uint64_t>(i) + 2000000);
         SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
-        Random random(static_cast<std::uint64_t>(2100000 + i));
+        Random random(static_cast<std::uint64_t>(i) + 2100000);
         const double spacing = asked.car.turning_radius() / (random.chance(0.5) ? 32.0 : 80.0);
         const ParkMap map(asked.car, asked.place, with_heading(asked.start.heading, spacing));
         snug::detail::sets::Chart chart;
@@ -89,9 +89,9 @@ TEST(ParkMap, ManeuversParkWithoutTouchingAnythingAndWithAsManyChangesAsSaid) {
     const int count = snug::test::sample(24, 1000);
     int found = 0, exact = 0;
     for (int i = 0; i < count; ++i) {
-        const Case asked = random_case(static_cast<std::uint64_t>(2200000 + i));
+        const Case asked = random_case(static_cast<std::uint64_t>(i) + 2200000);
         SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
-        Random random(static_cast<std::uint64_t>(2300000 + i));
+        Random random(static_cast<std::uint64_t>(i) + 2300000);
         const ParkMap map(asked.car, asked.place, with_heading(asked.start.heading, 0.0));
         for (int n = 0; n < 60; ++n) {
             const Pose pose = random_pose(random, asked);
@@ -130,9 +130,9 @@ TEST(ParkMap, BoundsHoldForTheAnswersOfPark) {
     const int count = snug::test::sample(16, 600);
     int compared = 0;
     for (int i = 0; i < count; ++i) {
-        const Case asked = random_case(static_cast<std::uint64_t>(2400000 + i));
+        const Case asked = random_case(static_cast<std::uint64_t>(i) + 2400000);
         SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
-        Random random(static_cast<std::uint64_t>(2500000 + i));
+        Random random(static_cast<std::uint64_t>(i) + 2500000);
         const ParkMap map(asked.car, asked.place, with_heading(asked.start.heading, 0.0));
         for (int n = 0; n < 6; ++n) {
             Pose pose = random_pose(random, asked);
@@ -162,7 +162,7 @@ TEST(ParkMap, AMirroredWorldHasTheMirroredMap) {
     const int count = snug::test::sample(8, 200);
     long long compared = 0, differ = 0;
     for (int i = 0; i < count; ++i) {
-        Random random(static_cast<std::uint64_t>(2600000 + i));
+        Random random(static_cast<std::uint64_t>(i) + 2600000);
         const Car car = random_car(random);
         Street right = random_street(random, car);
         right.side = snug::Side::right;
@@ -199,7 +199,7 @@ TEST(ParkMap, AtTheEntryPositionsItAgreesWithFewest) {
     const int count = snug::test::sample(8, 200);
     int compared = 0;
     for (int i = 0; i < count; ++i) {
-        Random random(static_cast<std::uint64_t>(2700000 + i));
+        Random random(static_cast<std::uint64_t>(i) + 2700000);
         const Car car = random_car(random);
         Street street;
         street.length = car.length() * random.between(1.08, 1.4);

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "full_steering/proof.hpp"
+#include "full_steering/proof/proof.hpp"
 #include "oracle/random_cases.hpp"
 #include "oracle/random_outlines.hpp"
 
@@ -85,11 +85,12 @@ private:
         std::uint64_t itinerary = 0;
     };
 
-    /// The steepest heading at which the frame fits: a car at rest below it has turned away (proof.cpp).
+    /// The steepest heading at which the frame fits: a car at rest below it has turned away.
     double steepest() const {
         constexpr double quarter = std::numbers::pi / 2;
+        const double sign = asked_.driving.enter == snug::Enter::backward ? 1.0 : -1.0;
         const auto fits = [&](double h) {
-            const Standing<double> car({0, 0, -h});
+            const Standing<double> car({0, 0, -sign * h});
             double low = 1e9, high = -1e9;
             for (const Vec<double>& own : fast_.car.corners) high = std::max(high, car.at(own).y);
             for (const Vec<double>& own : fast_.at_curb.corners) low = std::min(low, car.at(own).y);

@@ -1,4 +1,4 @@
-// The public question, asked for a proof.
+// The public question, which is proved unless it says otherwise.
 #include "snug/entry.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,6 @@ namespace {
 Answer proved(const CarDimensions& car, double length, double width, std::optional<int> most = {},
               double clearance = 0.0) {
     EntryOptions options;
-    options.prove = true;
     options.max_changes = most;
     options.driving.clearance = clearance;
     return entry(Car(car, ""), Slot({.length = length, .width = width}), options);
@@ -43,6 +42,28 @@ TEST(ProvedEntry, ClaimsNothingThatRoundingDecides) {
     EXPECT_FALSE(tangent.parkable());
     EXPECT_TRUE(tangent.ranges.empty());
     EXPECT_FALSE(tangent.undecided.empty());
+}
+
+TEST(ProvedEntry, OfACarThatCannotParkLeavesOutOnlySlivers) {
+    const Answer none = proved({1.771, 3.427, 0.657, 2.588, 0.5759586531581288}, 4.8, 1.84, 50);
+    EXPECT_TRUE(none.proved);
+    EXPECT_FALSE(none.parkable());
+    EXPECT_EQ(none.lower_bound, 51);
+    double open = 0.0;
+    for (const Headings& part : none.undecided) open += part.max - part.min;
+    EXPECT_LT(open, 1e-9);
+}
+
+/// The quick search lets it park the other way round from 0.3716 on.
+TEST(ProvedEntry, ACarThatHasTurnedAwayDoesNotPark) {
+    const Answer away =
+        proved({1.5792432338673024, 1.3979861666891027, 1.6197356658764881, 1.1943719313804786, 1.0870284839916595},
+               3.896762195001338, 2.5063651388410038, {}, 0.033556534256964803);
+    EXPECT_TRUE(away.proved);
+    EXPECT_EQ(away.direction_changes, 1);
+    ASSERT_EQ(away.ranges.size(), 1U);
+    EXPECT_NEAR(away.ranges[0].min, 0.377503495612, 1e-9);
+    EXPECT_NEAR(away.ranges[0].max, 0.422796306943, 1e-9);
 }
 
 }  // namespace

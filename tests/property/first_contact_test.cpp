@@ -181,7 +181,7 @@ void compare(const Question& question, Seen& seen) {
 
 TEST(FirstContact, AgreesWithSafeStepsFromAnywhere) {
     Seen seen;
-    const int questions = snug::test::sample(10000, 500000);
+    const int questions = snug::test::sample(10000, 500000, 200);
     for (int i = 0; i < questions && !HasFailure(); ++i)
         if (const auto question = anywhere(31, i)) compare(*question, seen);
     std::printf("%d contacts, %d never, %d stretches inside, %d grazing left out\n", seen.contacts, seen.frees,
@@ -193,7 +193,7 @@ TEST(FirstContact, AgreesWithSafeStepsFromAnywhere) {
 TEST(FirstContact, AgreesWithSafeStepsWhenTheCarTouchesAlready) {
     Seen seen;
     int stopped = 0;
-    const int questions = snug::test::sample(10000, 500000);
+    const int questions = snug::test::sample(10000, 500000, 200);
     for (int i = 0; i < questions && !HasFailure(); ++i) {
         auto question = anywhere(32, i);
         if (!question) continue;
@@ -215,7 +215,7 @@ TEST(FirstContact, AgreesWithSafeStepsWhenTheCarTouchesAlready) {
 
 TEST(FirstContact, ACornerExactlyOnASlotsCornerStopsTheCarOnlyWhereItWouldMoveIn) {
     int stopped = 0, free = 0;
-    for (int i = 0; i < snug::test::sample(20000, 1000000); ++i) {
+    for (int i = 0; i < snug::test::sample(20000, 1000000, 400); ++i) {
         auto question = anywhere(34, i);
         if (!question) continue;
         Random random(std::uint64_t(i) + 99);
@@ -240,7 +240,7 @@ TEST(FirstContact, ACornerExactlyOnASlotsCornerStopsTheCarOnlyWhereItWouldMoveIn
         }
     }
     std::printf("%d stopped, %d moving away\n", stopped, free);
-    EXPECT_GT(std::min(stopped, free), snug::test::sample(20000, 1000000) / 50);
+    EXPECT_GT(std::min(stopped, free), snug::test::sample(20000, 1000000, 400) / 50);
 }
 
 TEST(FirstContact, AgreesWithTinySteps) {
@@ -275,7 +275,7 @@ TEST(FirstContact, AgreesWithTinySteps) {
 
 TEST(FirstContact, AnOverlapIsAContactAtOnce) {
     int overlapping = 0;
-    for (int i = 0; i < snug::test::sample(5000, 200000); ++i) {
+    for (int i = 0; i < snug::test::sample(5000, 200000, 100); ++i) {
         Question question;
         question.asked = some_case(i);
         const Case& asked = question.asked;

@@ -20,6 +20,7 @@ std::string digits(double number) {
 
 snug::EntryOptions options_of(const Case& asked) {
     snug::EntryOptions options;
+    options.prove = false;
     options.driving = asked.driving;
     return options;
 }

@@ -190,7 +190,7 @@ def test_defaults_are_the_ones_that_help_shows():
         "max_steer": (CAR, SLOT, 0.486), "stepping": (CAR, SLOT, 0.486), "reversed_trials": (CAR, SLOT),
         "parallel_trials": (CAR, SLOT), "reversed_trials_by_goal": (CAR, SLOT), "shortfall": (CAR, snug.Slot(3, 1)),
         "min_slot": (CAR,), "min_slots": (CAR, [1]),
-        "fewest": (CAR, snug.Slot(5.2, 2.0)), "parked_pose": (CAR, SLOT), "swept": (MANEUVER,),
+        "fewest": (CAR, snug.Slot(5.2, 2.0)), "parked_pose": (CAR, SLOT), "swept": (MANEUVER,), "trajectory": (MANEUVER,),
         "leave": (CAR, snug.Slot(5.2, 2.0), snug.parked_pose(CAR, snug.Slot(5.2, 2.0), front=0.3, curb=0.05)),
         "first_contact": (CAR, SLOT, MOVE.start, "backward", 0.3), "park": (CAR, snug.Street(5.2, 2.0, road=3.5)),
     }

@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 import { differences, native, open, random } from "./browser.mjs";
 
 const seed = 6;
-const total = process.env.SNUG_SMALL ? 100 : 1000;
+const total = process.env.SNUG_SOAK ? 2000 : 300; // each starts the command once
 let site;
 let page;
 const folder = mkdtempSync(join(tmpdir(), "snug-web-"));
@@ -69,6 +69,14 @@ test(`${total} random questions have the same answers as the command's`, { timeo
                 values: [car, { length, width, side }, { front: 0.12, curb: 0.03 }, { resolution: 0.01, max_changes: 12 }],
                 words: ["leave", ...slot, "--gap-front", 0.12, "--gap-curb", 0.03, "--resolution", 0.01, "--max-changes", 12],
             };
+        if (i % 25 === 3) {
+            const road = between(car.width + 0.5, 5);
+            return {
+                name: "park",
+                values: [car, { length, width, side, road }, { enter, clearance, resolution: 0.04, max_changes: 6 }],
+                words: ["park", ...slot, "--road", road, ...how, "--resolution", 0.04, "--max-changes", 6],
+            };
+        }
         if (i % 10 === 5) {
             const max_changes = Math.floor(next() * 8);
             return {
@@ -91,10 +99,53 @@ test(`${total} random questions have the same answers as the command's`, { timeo
     questions.forEach(({ name, words }, i) => {
         let expected = native(...words);
         if (name === "minSlot" && expected.rows) [expected] = expected.rows;
+        delete expected.any_maneuver; // the command's own, where full steering cannot park
         const found = differences(answers[i], expected);
         if (found.length > 0) failures.push(`seed ${seed}, number ${i}: snug ${words.join(" ")}\n  ${found.slice(0, 4).join("\n  ")}`);
     });
     assert.equal(failures.length, 0, `${failures.length} differ:\n${failures.slice(0, 12).join("\n")}`);
+});
+
+test("the map of a street bounds what the command answers", async () => {
+    const street = { length: 5.2, width: 2, road: 3.5 };
+    const box = { x_min: -6, x_max: 4, y_min: -1, y_max: 3 };
+    const poses = [
+        { x: 2, y: 1.75, heading: 0 },
+        { x: -3, y: 1.5, heading: 0.1 },
+        { x: 1, y: 0.3, heading: 0 },
+        { x: 0, y: 1.75, heading: 3 },
+    ];
+    const map = await page.evaluate(
+        ([street, box, poses]) => {
+            const of = window.snugPage.snug.parkMap("renault-zoe", street);
+            const { lower, upper } = of.slice(0, box, 50, 20);
+            const at = (x, y) => of.at({ x: box.x_min + ((x + 0.5) / 50) * 10, y: box.y_min + ((y + 0.5) / 20) * 4, heading: 0 });
+            const result = {
+                bounds: poses.map((pose) => of.at(pose)),
+                ways: poses.map((pose) => of.maneuver(pose)),
+                slice: [Array.from(lower), Array.from(upper)],
+                samples: [[7, 12], [30, 14], [25, 2], [49, 19]].map(([x, y]) => [y * 50 + x, at(x, y)]),
+                fingerprint: of.fingerprint,
+            };
+            of.delete();
+            return result;
+        },
+        [street, box, poses],
+    );
+    assert.deepEqual(map.bounds.map((bounds) => bounds.where), ["free", "free", "blocked", "outside"]);
+    for (const [i, pose] of poses.slice(0, 2).entries()) {
+        const bounds = map.bounds[i];
+        const said = native("park", "--car", "renault-zoe", "--length", 5.2, "--width", 2, "--road", 3.5, "--from", `${pose.x},${pose.y},${pose.heading}`);
+        assert.ok(bounds.lower_bound <= said.direction_changes && said.lower_bound <= bounds.direction_changes);
+        assert.ok(map.ways[i].direction_changes <= bounds.direction_changes);
+        assert.equal(map.ways[i].moves[0].direction, bounds.first);
+    }
+    assert.deepEqual(map.ways.slice(2), [null, null]);
+    const [lower, upper] = map.slice;
+    assert.ok(lower.every((count, i) => count <= upper[i]) && lower.length === 1000);
+    for (const [i, bounds] of map.samples)
+        assert.equal(lower[i], { blocked: -2, outside: -1 }[bounds.where] ?? (bounds.impossible ? 32767 : bounds.lower_bound));
+    assert.match(map.fingerprint, /^\d+$/);
 });
 
 test("errors are JavaScript's, with the core's messages", async () => {
@@ -109,6 +160,9 @@ test("errors are JavaScript's, with the core's messages", async () => {
         { name: "maxSteer", values: ["renault-zoe", slot, 9] },
         { name: "minSlot", values: ["renault-zoe", {}] },
         { name: "leave", values: ["renault-zoe", slot, { front: 9, curb: 0 }] },
+        { name: "park", values: ["renault-zoe", { ...slot, road: -1 }] },
+        { name: "park", values: ["renault-zoe", { obstacles: [] }] },
+        { name: "parkMap", values: ["renault-zoe", slot, { spacing: 1 }] },
     ]);
     for (const answer of asked) assert.match(answer.error ?? "no error", /\w+ .* \w+/);
     assert.match(asked[0].error, /did you mean "renault-zoe"/);

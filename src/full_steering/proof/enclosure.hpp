@@ -13,9 +13,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-namespace snug::detail {
+namespace snug::detail::proof {
 
+inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double quarter_turn = 1.57079632679489661923;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double unit = 1.12e-16;       ///< more than what rounding does to a result, relatively
 inline constexpr double upward = 1.0 + 1e-15;  ///< more than what eight roundings do
 inline constexpr double underflow = 1e-300;    ///< more than what is lost where a product underflows
@@ -42,26 +46,26 @@ struct Form {
     [[nodiscard]] Form with_rest(double more) const { return {mid, along, first, second, (rest + more) * upward}; }
 };
 
-inline Form operator-(const Form& x) { return {-x.mid, -x.along, -x.first, -x.second, x.rest}; }
+[[gnu::always_inline]] inline Form operator-(const Form& x) { return {-x.mid, -x.along, -x.first, -x.second, x.rest}; }
 
-inline Form operator+(const Form& x, const Form& y) {
+[[gnu::always_inline]] inline Form operator+(const Form& x, const Form& y) {
     Form z{x.mid + y.mid, x.along + y.along, x.first + y.first, x.second + y.second, 0.0};
     z.rest = (x.rest + y.rest + unit * z.coefficients()) * upward;
     return z;
 }
 
-inline Form operator-(const Form& x, const Form& y) { return x + -y; }
+[[gnu::always_inline]] inline Form operator-(const Form& x, const Form& y) { return x + -y; }
 
-inline Form operator+(const Form& x, double y) {
+[[gnu::always_inline]] inline Form operator+(const Form& x, double y) {
     Form z = x;
     z.mid += y;
     z.rest = (x.rest + unit * std::abs(z.mid)) * upward;
     return z;
 }
 
-inline Form operator-(const Form& x, double y) { return x + -y; }
+[[gnu::always_inline]] inline Form operator-(const Form& x, double y) { return x + -y; }
 
-inline Form operator*(double k, const Form& x) {
+[[gnu::always_inline]] inline Form operator*(double k, const Form& x) {
     Form z{k * x.mid, k * x.along, k * x.first, k * x.second, 0.0};
     z.rest = (std::abs(k) * x.rest + unit * z.coefficients() + underflow) * upward;
     return z;
@@ -100,7 +104,7 @@ struct HeadingForm {
 };
 
 /// x - y.
-inline Form difference(const HeadingForm& x, const HeadingForm& y) {
+[[gnu::always_inline]] inline Form difference(const HeadingForm& x, const HeadingForm& y) {
     return ((x.off - y.off) + (x.angle - y.angle)).with_rest(2.0 * angle_error);
 }
 
@@ -131,4 +135,4 @@ struct Gap {
     }
 };
 
-}  // namespace snug::detail
+}  // namespace snug::detail::proof

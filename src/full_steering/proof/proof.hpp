@@ -57,6 +57,11 @@ struct ProofHints {
 ProvedRanges prove_ranges(const ProofProblem& problem, int max_changes, Find find, const ProofHints& hints = {},
                           const Progress& progress = {}, std::size_t most_moves = 20'000'000);
 
+/// How far round a car may turn and still park: the steepest heading below parallel at which the frame fits between entry
+/// side and curb, infinite where that is a quarter turn. Headings only fall, so a car that comes to rest steeper than this
+/// has turned away: it could fit again only half a turn later, the other way round, and that is not parked. [rad]
+double steepest_at_rest(const ProofProblem& problem);
+
 /// In the entering frame (contact/entering.hpp).
 ProofProblem proof_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked);
 

@@ -1,0 +1,189 @@
+// snug drive: the plan of `snug park` driven many times by a car that errs and looks again.
+#include "cli/drive.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "cli/groups.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/json.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/table.hpp"
+#include "cli/words.hpp"
+#include "snug/draw.hpp"
+#include "snug/error.hpp"
+#include "snug/io.hpp"
+
+namespace snug::cli {
+namespace {
+
+constexpr const char* purpose =
+    "The plan of `snug park` driven many times by a simulated car whose measurements\n"
+    "and wheels err, and that looks again: how many runs park, with how many changes.";
+
+constexpr const char* examples =
+    "Errors are standard deviations. The car measures its pose every 5 cm on the way\n"
+    "and ten times a second at standstill, keeps to its move by small corrections of\n"
+    "the steering, and plans anew wherever the direction changes.\n\n"
+    "Examples:\n"
+    "  snug drive --car renault-zoe --length 5.2 --width 2 --road 3.5 --from 2,1.75,0\n"
+    "  snug drive --car renault-zoe --length 5 --width 2.5 --angle 90 --road 6 \\\n"
+    "      --sensing 0.05,0.05,0.02 --runs 200 --draw tracks.svg\n\n"
+    "Exit codes: 0 enough runs park; 1 too few, or no plan with a margin; 2 bad input,\n"
+    "with one line that says what is wrong. Ctrl-C ends with the runs done so far.";
+
+enum class Steer { standing };
+
+struct Asked {
+    explicit Asked(Options& options)
+        : where(options),
+          sensing(options.group("Errors").declared<Pose>(
+              "--sensing", "X,Y,HEADING", "Of every measured pose [m, m, rad] (0.02,0.02,0.0087).", pose)),
+          bias(options.declared<Pose>("--bias", "X,Y,HEADING", "Added to every measured pose [m, m, rad] (0,0,0).",
+                                      pose)),
+          actuation(options.declared<Point>("--actuation", "DISTANCE,STEERING",
+                                            "Of where a move ends, and of its steering angle\n[m, rad] (0.01,0.0175).",
+                                            point)),
+          margin(options.group("Plan").number("--margin", "M",
+                                              "How much the car is grown for planning [m]; default:\nthe least that "
+                                              "parks often enough.",
+                                              {" m", 0.0, 10.0})),
+          rate(options.number("--rate", "P", "Share of the runs that must park (0.999).", {"", 0.0, 1.0})),
+          spacing(options.number("--resolution", "M", "Spacing of the map the car plans on [m] (0.08).",
+                                 {" m", 0.001, 10.0})),
+          steer(options.choice<Steer>("--steer", "HOW", "standing (default): the steering turns at standstill.",
+                                      {{"standing", Steer::standing}})),
+          blind(options.choice<bool>("--look", "HOW",
+                                     "again (default), or once: the plan is driven to its\nend without looking again.",
+                                     {{"again", false}, {"once", true}})),
+          runs(options.group("Runs").whole_number("--runs", "N", "How many (1000).", 1, 1'000'000)),
+          seed(options.whole_number("--seed", "N", "The same seed, the same runs (1).", 0,
+                                    std::numeric_limits<int>::max())),
+          threads(threads_option(options)),
+          output(options),
+          draw(draw_option(options)),
+          trajectory(options) {}
+
+    WhereOptions where;
+    Option<Pose> sensing;
+    Option<Pose> bias;
+    Option<Point> actuation;
+    Option<double> margin;
+    Option<double> rate;
+    Option<double> spacing;
+    Option<Steer> steer;
+    Option<bool> blind;
+    Option<int> runs;
+    Option<int> seed;
+    Option<int> threads;
+    OutputOptions output;
+    Option<std::string> draw;
+    TrajectoryOptions trajectory;
+};
+
+DriveOptions drive_options(const Asked& asked) {
+    DriveOptions options;
+    options.errors.sensing = asked.sensing.value_or(options.errors.sensing);
+    options.errors.bias = asked.bias.value_or(options.errors.bias);
+    if (asked.actuation) {
+        options.errors.distance = asked.actuation->x;
+        options.errors.steering = asked.actuation->y;
+    }
+    if (asked.margin) options.margin = *asked.margin;
+    options.rate = asked.rate.value_or(options.rate);
+    options.spacing = asked.spacing.value_or(0.0);
+    options.blind = asked.blind.value_or(false);
+    options.runs = asked.runs.value_or(options.runs);
+    options.seed = static_cast<std::uint64_t>(asked.seed.value_or(1));
+    options.threads = asked.threads.value_or(0);
+    return options;
+}
+
+std::string drawn(const PictureFile& picture, const ParkQuestion& question, const DriveAnswer& answer) {
+    PictureOptions options;
+    options.driving.clearance = answer.margin;
+    for (const DriveRun& run : answer.runs) options.tracks.push_back(run.track);
+    ParkAnswer planned;
+    planned.maneuver = answer.planned;
+    if (answer.planned) planned.direction_changes = answer.planned_changes;
+    planned.lower_bound = answer.lower_bound;
+    if (question.street)
+        return draw_park(question.car, *question.street, question.scene.start, planned, picture.format, options);
+    return draw_park(question.car, question.scene, planned, picture.format, options);
+}
+
+bool enough(const DriveOptions& options, const DriveAnswer& answer) {
+    return answer.plannable && !answer.runs.empty() &&
+           answer.parked() >= options.rate * static_cast<double>(answer.runs.size());
+}
+
+}  // namespace
+
+std::string drive_text(const ParkQuestion& question, const DriveOptions& options, const DriveAnswer& answer) {
+    const std::string car = name(question.car);
+    if (!answer.plannable)
+        return car + " has no way into the place that keeps " +
+               (options.margin ? "a margin of " + metres(*options.margin) : "any margin") + ".\n";
+    if (answer.runs.empty()) return "No run was finished.\n";
+    double turned = 0.0, seconds = 0.0, longest = 0.0, nearest = std::numeric_limits<double>::infinity();
+    int most = 0;
+    for (const DriveRun& run : answer.runs) {
+        turned += run.direction_changes;
+        most = std::max(most, run.direction_changes);
+        seconds += run.seconds;
+        longest = std::max(longest, run.seconds);
+        nearest = std::min(nearest, run.smallest_distance);
+    }
+    const auto runs = static_cast<double>(answer.runs.size());
+    const double planned = answer.planned ? trajectory(*answer.planned, options.limits).seconds() : 0.0;
+    return car + " parks in " + std::to_string(answer.parked()) + " of " + std::to_string(answer.runs.size()) +
+           " runs" + (answer.contacts() > 0 ? ", touches something in " + std::to_string(answer.contacts()) : "") +
+           ".\n\n" +
+           table({{"margin", metres(answer.margin) + (options.margin ? "" : ", the least that was found to do")},
+                  {"planned", changes(answer.planned_changes) + ", " + fixed(planned, 0) + " s"},
+                  {"driven",
+                   fixed(turned / runs, 2) + " direction changes on average, at most " + std::to_string(most) + ","},
+                  {"", "in " + fixed(seconds / runs, 0) + " s on average, at most " + fixed(longest, 0) + " s"},
+                  {"bound", "no plan with this margin has fewer than " + changes(answer.lower_bound)},
+                  {"nearest", nearest < 0.0 ? "in contact" : metres(nearest) + " to anything in all runs"}},
+                 "ll");
+}
+
+Action parse_drive(const Arguments& arguments) {
+    Options options("snug drive", purpose, examples);
+    const Asked asked(options);
+    if (!options.read(arguments)) return say(options.help());
+    const ParkQuestion question = asked.where.question();
+    if (asked.where.driving.clearance)
+        throw Error(asked.where.driving.clearance.name() + " is of a plan that nobody disturbs; give --margin instead");
+    const DriveOptions how = drive_options(asked);
+    const Format format = asked.output.format();
+    const auto picture = picture_file(asked.draw, asked.output);
+    const auto timed = trajectory_file(asked.trajectory, asked.draw, asked.draw, asked.output.file);
+    return [question, how, format, picture, timed, path = asked.output.path()] {
+        DriveOptions asked_of = how;
+        if (timed) asked_of.limits = timed->limits;
+        const auto show = show_progress();
+        asked_of.progress = [&](double, int runs) {
+            if (show) show(static_cast<double>(runs) / asked_of.runs);
+            return interruption() == 0;
+        };
+        DriveAnswer answer;
+        {
+            const Interruptible interruptible;
+            answer = drive_runs(question.car, question.scene.place, question.scene.start, asked_of);
+        }
+        if (show) wipe_progress();
+        if (timed) write_file("--trajectory", timed->path, written(*timed, question.car, answer.planned));
+        if (picture) write_file("--draw", picture->path, drawn(*picture, question, answer));
+        put_out(path, format == Format::json  ? drive_json(question, asked_of, answer)
+                      : format == Format::csv ? drive_as_csv(answer)
+                                              : drive_text(question, asked_of, answer));
+        if (interruption() != 0) return interruption();
+        return enough(asked_of, answer) ? 0 : 1;
+    };
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,211 @@
+#include "cli/way_out.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+
+#include "cli/table.hpp"
+#include "cli/words.hpp"
+#include "sentences/check.hpp"
+#include "snug/error.hpp"
+#include "snug/limits.hpp"
+#include "snug/min_slot.hpp"
+
+namespace snug::cli {
+namespace {
+
+constexpr double millimetre = 1e-3;
+constexpr double patience = 2.0;  // for each of the answers [s]: a lattice so coarse takes some hundredths of it
+
+/// Coarse enough to be quick: the spacing decides where the search ends, and hardly ever the clock.
+double coarse(const Car& car) { return std::max(limits::finest, car.length() / 500.0); }
+
+FewestOptions quick(const EntryQuestion& question, int most_changes) {
+    FewestOptions options;
+    options.max_changes = std::min(most_changes, limits::most_changes_fewest);
+    options.driving = question.options.driving;
+    options.parked = question.options.parked;
+    options.resolution = coarse(question.car);
+    options.time_limit = patience;
+    options.roomiest = false;
+    return options;
+}
+
+/// Whether the car parks with that strategy in that slot, keeping that clearance.
+bool parks(const EntryQuestion& question, Strategy strategy, int most_changes, const Slot& slot,
+           const Driving& driving) {
+    if (strategy == Strategy::fewest) {
+        FewestOptions options = quick(question, most_changes);
+        options.driving = driving;
+        return fewest(question.car, slot, options).parkable();
+    }
+    EntryOptions options = question.options;
+    options.max_changes = most_changes;
+    options.prove = false;
+    options.driving = driving;
+    return entry(question.car, slot, options).parkable();
+}
+
+Slot resized(const Slot& slot, double longer, double wider) {
+    return Slot({.length = slot.length() + longer,
+                 .width = slot.width() + wider,
+                 .side = slot.side(),
+                 .corner = slot.corner(),
+                 .heading = slot.heading(),
+                 .front_setback = slot.front_setback(),
+                 .rear_setback = slot.rear_setback(),
+                 .curb = slot.curb()});
+}
+
+/// By how much the slot would have to be longer (or wider), in whole millimetres, and tried.
+std::optional<double> enlarged(const EntryQuestion& question, Strategy strategy, int most_changes, Sought sought) {
+    const bool length = sought == Sought::length;
+    const Slot& slot = question.slot;
+    MinSlotOptions options;
+    options.max_changes = most_changes;
+    options.strategy = strategy;
+    options.sought = sought;
+    options.driving = question.options.driving;
+    options.parked = question.options.parked;
+    options.min_range = strategy == Strategy::fewest ? 0.0 : question.options.min_range;
+    options.front_setback = slot.front_setback();
+    options.rear_setback = slot.rear_setback();
+    options.curb = slot.curb();
+    options.resolution = coarse(question.car);
+    options.precision = 0.01;
+    const auto begin = std::chrono::steady_clock::now();
+    options.progress = [begin](double) {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < patience;
+    };
+    if (strategy == Strategy::fewest && !length && std::isfinite(options.parked.curb)) return std::nullopt;
+    const MinSlot found = min_slot(question.car, length ? slot.width() : slot.length(), options);
+    if (!found.size(sought)) return std::nullopt;
+    const double size = length ? slot.length() : slot.width();
+    const double by = millimetre * std::max(1.0, std::ceil((*found.size(sought) - size) / millimetre - 1e-6));
+    const Slot larger = length ? resized(slot, by, 0.0) : resized(slot, 0.0, by);
+    if (!parks(question, strategy, most_changes, larger, options.driving)) return std::nullopt;
+    return by;
+}
+
+/// The largest clearance in whole millimetres that parks, below the one asked for.
+std::optional<double> less_clearance(const EntryQuestion& question, Strategy strategy, int most_changes) {
+    const auto keeping = [&](double millimetres) {
+        Driving driving = question.options.driving;
+        driving.clearance = millimetres * millimetre;
+        return parks(question, strategy, most_changes, question.slot, driving);
+    };
+    double less = 0.0;
+    double more = std::ceil(question.options.driving.clearance / millimetre);
+    if (more == 0.0 || !keeping(less)) return std::nullopt;
+    while (more - less > 1.0) {
+        const double middle = std::floor((less + more) / 2.0);
+        (keeping(middle) ? less : more) = middle;
+    }
+    return less * millimetre;
+}
+
+/// A size to type, without what adding binary numbers leaves behind.
+std::string exactly(double size) { return spelled(std::round(size * 1e9) / 1e9); }
+
+/// What an answer over all maneuvers says of its count.
+std::string count_words(const Answer& any) {
+    return changes(*any.direction_changes) + (any.proved ? ", the fewest: proved"
+                                              : any.lower_bound > 0
+                                                  ? ", at least " + std::to_string(any.lower_bound) + " proved"
+                                                  : "");
+}
+
+}  // namespace
+
+std::optional<Answer> any_maneuver(const EntryQuestion& question) {
+    try {
+        return fewest(question.car, question.slot, quick(question, limits::usual_changes));
+    } catch (const Error&) {
+        return std::nullopt;  // a slot so large that the lattice does not fit into memory
+    }
+}
+
+WayOut way_out(const EntryQuestion& question, Strategy strategy, int most_changes) {
+    WayOut out;
+    const auto try_out = [](const std::function<void()>& attempt) {
+        try {
+            attempt();
+        } catch (const Error&) {  // beyond what can be asked: no way out is told
+        }
+    };
+    const int most = strategy == Strategy::fewest ? std::min(most_changes, limits::most_changes_fewest) : most_changes;
+    if (strategy != Strategy::fewest) out.any = any_maneuver(question);
+    if (question.baseline) return out;
+    try_out([&] {
+        if (most >= limits::usual_changes) return;
+        EntryOptions options = question.options;
+        options.max_changes.reset();
+        options.prove = false;
+        out.changes =
+            strategy == Strategy::fewest
+                ? fewest(question.car, question.slot, quick(question, limits::usual_changes)).direction_changes
+                : entry(question.car, question.slot, options).direction_changes;
+    });
+    try_out([&] { out.longer = enlarged(question, strategy, most, Sought::length); });
+    try_out([&] { out.wider = enlarged(question, strategy, most, Sought::width); });
+    try_out([&] { out.clearance = less_clearance(question, strategy, most); });
+    return out;
+}
+
+std::string way_out_text(const EntryQuestion& question, const WayOut& out) {
+    std::vector<std::vector<std::string>> rows;
+    if (out.changes)
+        rows.push_back({"more changes", changes(*out.changes), "--max-changes " + std::to_string(*out.changes)});
+    if (out.any && out.any->direction_changes)
+        rows.push_back({"any maneuver", count_words(*out.any), "--strategy fewest"});
+    if (out.longer)
+        rows.push_back({"a longer slot", "by " + metres(*out.longer),
+                        "--length " + exactly(question.slot.length() + *out.longer)});
+    if (out.wider)
+        rows.push_back(
+            {"a wider slot", "by " + metres(*out.wider), "--width " + exactly(question.slot.width() + *out.wider)});
+    if (out.clearance)
+        rows.push_back({"less clearance", metres(*out.clearance), "--clearance " + fixed(*out.clearance, 3)});
+    std::string text;
+    if (!rows.empty()) text = "\nWhat would do\n" + table(rows, "lll");
+    if (out.any && !out.any->direction_changes && out.any->proved)
+        text += "\nNo other maneuver parks either, with up to " + changes(limits::usual_changes) + ": proved.\n";
+    return text;
+}
+
+std::string fewer_text(int changes_needed, const std::optional<Answer>& any) {
+    if (!any || !any->direction_changes || *any->direction_changes >= changes_needed) return "";
+    return "Other maneuvers do with " + count_words(*any) + ";\n--strategy fewest shows one.\n";
+}
+
+std::string other_maneuvers(const MinSlotQuestion& question, const std::vector<MinSlot>& rows) {
+    constexpr std::size_t most_rows = 8;
+    const Sought sought = question.options.sought;
+    MinSlotOptions options = question.options;
+    options.strategy = Strategy::fewest;
+    options.min_range = 0.0;
+    options.resolution = coarse(question.car);
+    options.precision = 0.01;
+    if (sought == Sought::width && std::isfinite(options.parked.curb)) return "";
+    const auto begin = std::chrono::steady_clock::now();
+    options.progress = [begin](double) {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < 2.0 * patience;
+    };
+    std::vector<MinSlot> others;
+    for (std::size_t i = 0; i < rows.size() && others.size() < most_rows; ++i) {
+        if (rows[i].max_changes > limits::most_changes_fewest) continue;
+        options.max_changes = rows[i].max_changes;
+        try {
+            const MinSlot found = min_slot(
+                question.car, *rows[i].size(sought == Sought::length ? Sought::width : Sought::length), options);
+            if (found.size(sought)) others.push_back(found);
+        } catch (const Error&) {  // beyond what a lattice holds
+        }
+    }
+    if (others.empty()) return "";
+    return "\nOther maneuvers park where full steering cannot (--strategy fewest):\n\n" +
+           fewest_slot_table(sought, others);
+}
+
+}  // namespace snug::cli

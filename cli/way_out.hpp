@@ -1,0 +1,38 @@
+// Where the answer is no: which other maneuvers would do, and what change of slot, clearance or count.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/entry.hpp"
+#include "cli/min_slot.hpp"
+
+namespace snug::cli {
+
+/// What any maneuver can do, however it is steered: the fewest changes, as far as a lattice of a five-hundredth of the car's
+/// length and two seconds tell. Empty where the question is beyond that search.
+std::optional<Answer> any_maneuver(const EntryQuestion& question);
+
+/// The ways out of a no, each alone and each tried: what is said parks.
+struct WayOut {
+    std::optional<Answer> any;        ///< over all maneuvers; not where that was the question
+    std::optional<int> changes;       ///< the strategy parks with so many, which is more than was allowed
+    std::optional<double> longer;     ///< by so much [m]
+    std::optional<double> wider;      ///< [m]
+    std::optional<double> clearance;  ///< keeping no more than this [m]
+};
+
+/// `most_changes` as allowed, by full steering or, with Strategy::fewest, over all maneuvers. Baselines get `any` alone.
+WayOut way_out(const EntryQuestion& question, Strategy strategy, int most_changes);
+
+/// In words, with the options to give; empty when nothing is known to do.
+std::string way_out_text(const EntryQuestion& question, const WayOut& out);
+
+/// A line about a count that is not the fewest; empty when it may be.
+std::string fewer_text(int changes, const std::optional<Answer>& any);
+
+/// Which slots other maneuvers park in, for those of the rows without one for which that is known within a few seconds; empty
+/// when it is none.
+std::string other_maneuvers(const MinSlotQuestion& question, const std::vector<MinSlot>& rows);
+
+}  // namespace snug::cli

@@ -1,0 +1,74 @@
+// Assistant: what a car that knows its map does next, from wherever it was measured.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "snug/car.hpp"
+#include "snug/maneuver.hpp"
+#include "snug/park_map.hpp"
+#include "snug/place.hpp"
+
+namespace snug {
+
+/// How a plan keeps its distance from a car that errs.
+struct AssistantOptions {
+    /// The frame grows by it for planning, and the car is parked only where it stands by half of it farther inside. [m]
+    double margin = 0.05;
+    /// Of the steering angle, kept for corrections on the way. [rad]
+    double steering_reserve = 0.0;
+    double spacing = 0.0;  ///< of the map [m]; 0: its usual one
+    /// Of the cars that come along, as ParkMapOptions has it.
+    std::optional<double> heading = {};
+};
+
+/// What to do next.
+struct Instruction {
+    enum What {
+        parked,  ///< nothing: the car is parked
+        move,    ///< drive these moves, then ask again
+        escape,  ///< the same, but the car stands nearer to something than the margin: they lead away from it
+        stuck,   ///< no way is known from here
+    };
+    What what = stuck;
+    std::vector<Move> moves;    ///< of one direction, the first from the pose measured
+    int direction_changes = 0;  ///< of all of the way to where the car is parked; 0 where an escape takes several arcs
+
+    friend bool operator==(const Instruction&, const Instruction&) = default;
+};
+
+/// Plans for one car in one place. It keeps no state from one question to the next, so the answer to a pose is the same whenever it
+/// is asked, and threads may share an assistant.
+class Assistant {
+public:
+    /// Sweeps the map. Throws Error when an option is impossible, what counts as parked is too small for the margin, or the place is
+    /// too large for a map.
+    Assistant(const Car& car, const Place& place, const AssistantOptions& options = {});
+    Assistant(const Car& car, const Street& street, const AssistantOptions& options = {});
+
+    /// From a measured pose: how to drive until the direction changes, on the way with the fewest changes the map knows. `driven` is
+    /// the direction of the last move, for turning costs a change. It goes through nothing, grown by the margin.
+    ///
+    /// Where a short arc of one direction leads to a pose from where fewer changes are left in all, it is driven first; so too where
+    /// the map knows no way, as when the car stands closer to something than the margin (but does not overlap it): an arc on which
+    /// at least half of the distance is left that the car has (a corner swings out before the car is away), or failing that one that
+    /// ends by 1 cm or more farther away. A pose that is no
+    /// number, outside of the map, or overlaps something has no way: stuck.
+    [[nodiscard]] Instruction next(const Pose& measured, std::optional<Direction> driven = {}) const;
+    /// All of the way, as next() would give it move by move; empty when the car is parked or stuck.
+    [[nodiscard]] std::optional<Maneuver> plan(const Pose& measured) const;
+
+    /// The car with its whole steering, in the place as it is.
+    [[nodiscard]] const Car& car() const { return car_; }
+    [[nodiscard]] const Place& place() const { return place_; }
+    [[nodiscard]] const ParkMap& map() const { return map_; }
+
+private:
+    [[nodiscard]] Instruction short_way(const Pose& measured, std::optional<Direction> driven, int most_changes) const;
+
+    Car car_;
+    Place place_;
+    ParkMap map_;
+};
+
+}  // namespace snug

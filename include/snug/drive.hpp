@@ -1,0 +1,79 @@
+// Drive: a plan driven many times by a simulated car that errs, looking again on the way.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "snug/assistant.hpp"
+#include "snug/car.hpp"
+#include "snug/place.hpp"
+#include "snug/trajectory.hpp"
+
+namespace snug {
+
+/// What is wrong with a car's measurements and with what its wheels do: standard deviations of normal errors.
+struct CarErrors {
+    Pose sensing = {0.02, 0.02, 0.0087266462599716477};  ///< of every measured pose [m, m, rad]
+    Pose bias = {0.0, 0.0, 0.0};                         ///< added to every measured pose [m, m, rad]
+    double distance = 0.01;                              ///< of where it comes to rest along a move [m]
+    double steering = 0.017453292519943295;              ///< of the steering angle, the same during a move [rad]
+};
+
+struct DriveOptions {
+    CarErrors errors = {};
+    /// How much the car is grown for planning [m]; empty: the least of a list that parks often enough.
+    std::optional<double> margin = {};
+    double rate = 0.999;   ///< the share of runs that must park without contact, where the margin is looked for
+    double spacing = 0.0;  ///< of the map [m]; 0: its usual one
+    int runs = 1000;
+    std::uint64_t seed = 1;  ///< the same seed, the same runs
+    /// Drive the plan of the start to its end without measuring again.
+    bool blind = false;
+    MotionLimits limits = {};
+    int threads = 0;  ///< 0: all cores
+    /// Told how many runs of the margin now tried are done; returning false gives up with the runs done.
+    std::function<bool(double margin, int runs)> progress = {};
+};
+
+/// One run of the car.
+struct DriveRun {
+    bool parked = false;             ///< truly, and without contact
+    bool contact = false;            ///< touched something; the run ends there
+    int direction_changes = 0;       ///< driven
+    double seconds = 0.0;            ///< until it stood for good
+    double smallest_distance = 0.0;  ///< to anything [m]
+    std::vector<Pose> track;         ///< true poses, every few centimetres
+
+    friend bool operator==(const DriveRun&, const DriveRun&) = default;
+};
+
+struct DriveAnswer {
+    bool plannable = false;  ///< with a margin at all: else there are no runs
+    bool cancelled = false;
+    double margin = 0.0;  ///< [m]
+    int planned_changes = 0;
+    int lower_bound = 0;              ///< of the direction changes of any maneuver of the car as it is, without errors
+    std::optional<Maneuver> planned;  ///< from the start, with its margin
+    std::vector<DriveRun> runs;
+
+    [[nodiscard]] int parked() const {
+        int count = 0;
+        for (const DriveRun& run : runs) count += run.parked ? 1 : 0;
+        return count;
+    }
+    [[nodiscard]] int contacts() const {
+        int count = 0;
+        for (const DriveRun& run : runs) count += run.contact ? 1 : 0;
+        return count;
+    }
+};
+
+/// Drives from the start into the place as the Assistant says: in every run the car measures its pose at standstill and every 5 cm on
+/// the way, weighs what it measured against what it thinks it drove (an extended Kalman filter over pose and steering error), keeps
+/// to its move by small corrections of the steering, stops where the move ends or something is near, and asks again.
+/// Throws Error when an option is impossible, or the start meets an obstacle or lies outside of the map.
+DriveAnswer drive_runs(const Car& car, const Place& place, const Pose& start, const DriveOptions& options = {});
+
+}  // namespace snug

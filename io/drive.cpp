@@ -1,0 +1,73 @@
+// The answers of drive_runs() as JSON and CSV.
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "io/csv.hpp"
+#include "snug/io.hpp"
+
+namespace snug {
+namespace {
+
+Json list_of(const Pose& pose) { return Json::array({pose.x, pose.y, pose.heading}); }
+
+void add_answer(Json& json, const Pose& start, const DriveOptions& options, const DriveAnswer& answer) {
+    json["start"] = as_json(start);
+    json["sensing"] = list_of(options.errors.sensing);
+    json["bias"] = list_of(options.errors.bias);
+    json["actuation"] = Json::array({options.errors.distance, options.errors.steering});
+    json["rate"] = options.rate;
+    json["runs"] = answer.runs.size();
+    json["seed"] = options.seed;
+    json["plannable"] = answer.plannable;
+    if (!answer.plannable) return;
+    json["margin"] = answer.margin;
+    json["parked"] = answer.parked();
+    json["contacts"] = answer.contacts();
+    json["planned_changes"] = answer.planned_changes;
+    json["lower_bound"] = answer.lower_bound;
+    if (answer.runs.empty()) return;
+    double changes = 0.0, seconds = 0.0, longest = 0.0;
+    double nearest = std::numeric_limits<double>::infinity();
+    int most = 0;
+    for (const DriveRun& run : answer.runs) {
+        changes += run.direction_changes;
+        most = std::max(most, run.direction_changes);
+        seconds += run.seconds;
+        longest = std::max(longest, run.seconds);
+        nearest = std::min(nearest, run.smallest_distance);
+    }
+    const auto runs = static_cast<double>(answer.runs.size());
+    json["direction_changes"] = {{"mean", changes / runs}, {"max", most}};
+    json["seconds"] = {{"planned", answer.planned ? trajectory(*answer.planned, options.limits).seconds() : 0.0},
+                       {"mean", seconds / runs},
+                       {"max", longest}};
+    json["smallest_distance"] = nullptr;  // in a place without obstacles
+    if (nearest < std::numeric_limits<double>::infinity()) json["smallest_distance"] = nearest;
+}
+
+}  // namespace
+
+Json drive_as_json(const Car& car, const Street& street, const Pose& start, const DriveOptions& options,
+                   const DriveAnswer& answer) {
+    Json json = {{"schema", 1}, {"car", as_json(car)}, {"slot", as_json(street)}};
+    add_answer(json, start, options, answer);
+    return json;
+}
+
+Json drive_as_json(const Car& car, const Scene& scene, const DriveOptions& options, const DriveAnswer& answer) {
+    Json json = {{"schema", 1}, {"car", as_json(car)}, {"scene", as_json(scene)}};
+    add_answer(json, scene.start, options, answer);
+    return json;
+}
+
+std::string drive_as_csv(const DriveAnswer& answer) {
+    Csv csv({"run", "parked", "contact", "direction_changes", "seconds", "smallest_distance"});
+    for (std::size_t i = 0; i < answer.runs.size(); ++i) {
+        const DriveRun& run = answer.runs[i];
+        csv.row(i, run.parked ? 1 : 0, run.contact ? 1 : 0, run.direction_changes, run.seconds, run.smallest_distance);
+    }
+    return csv.text();
+}
+
+}  // namespace snug

@@ -1,0 +1,162 @@
+// The next move from a measured pose.
+#include "snug/assistant.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "sentences/check.hpp"
+#include "snug/contact.hpp"
+#include "snug/limits.hpp"
+
+namespace snug {
+namespace {
+
+/// A convex polygon with every edge moved inward.
+std::vector<Point> shrunk(std::vector<Point> corners, double by) {
+    double area = 0.0;
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Point& a = corners[i];
+        const Point& b = corners[(i + 1) % n];
+        area += a.x * b.y - a.y * b.x;
+    }
+    if (area < 0.0) std::reverse(corners.begin(), corners.end());
+    struct Line {
+        Point normal;  ///< outward
+        double offset;
+    };
+    std::vector<Line> lines;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Point& a = corners[i];
+        const Point& b = corners[(i + 1) % n];
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        const Point normal = {(b.y - a.y) / length, (a.x - b.x) / length};
+        lines.push_back({normal, normal.x * a.x + normal.y * a.y - by});
+    }
+    std::vector<Point> inner;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Line& p = lines[(i + n - 1) % n];
+        const Line& q = lines[i];
+        const double cross = p.normal.x * q.normal.y - p.normal.y * q.normal.x;
+        inner.push_back({(p.offset * q.normal.y - q.offset * p.normal.y) / cross,
+                         (p.normal.x * q.offset - q.normal.x * p.offset) / cross});
+    }
+    return inner;
+}
+
+/// The place in which the car has to stand farther inside to be parked.
+Place planned_place(const Place& place, double inside_by) {
+    PlaceDescription planned = {place.obstacles(), place.parked(), place.region()};
+    if (auto* inside = std::get_if<ParkedInside>(&planned.parked)) {
+        inside->corners = shrunk(inside->corners, inside_by);
+    } else {
+        auto& at = std::get<ParkedAt>(planned.parked);
+        at.along = std::max(0.0, at.along - inside_by);
+        at.across = std::max(0.0, at.across - inside_by);
+    }
+    return Place(std::move(planned));
+}
+
+Car planned_car(const Car& car, double steering_reserve) {
+    if (steering_reserve == 0.0) return car;
+    return Car(car.outline(), car.wheelbase(), car.max_steer() - steering_reserve, car.name());
+}
+
+ParkMap planned_map(const Car& car, const Place& place, const AssistantOptions& options) {
+    check_between("margin", options.margin, 0.0, limits::longest, " m");
+    check_between("steering reserve", options.steering_reserve, 0.0, car.max_steer() / 2.0, " rad");
+    ParkMapOptions map;
+    map.spacing = options.spacing;
+    map.clearance = options.margin;
+    map.heading = options.heading;
+    return ParkMap(planned_car(car, options.steering_reserve), planned_place(place, options.margin / 2.0), map);
+}
+
+AssistantOptions of_street(const Street& street, AssistantOptions options) {
+    if (!options.heading) options.heading = street.heading;
+    return options;
+}
+
+double nearest(const Car& car, const Place& place, const Pose& pose) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const PlaceGap& gap : gaps(car, place, pose)) least = std::min(least, gap.distance);
+    return least;
+}
+
+/// The moves until the direction changes.
+std::vector<Move> first_way(const std::vector<Move>& moves) {
+    const auto turn = std::find_if(moves.begin(), moves.end(),
+                                   [&](const Move& move) { return move.direction != moves.front().direction; });
+    return {moves.begin(), turn};
+}
+
+}  // namespace
+
+Assistant::Assistant(const Car& car, const Place& place, const AssistantOptions& options)
+    : car_(car), place_(place), map_(planned_map(car, place, options)) {}
+
+Assistant::Assistant(const Car& car, const Street& street, const AssistantOptions& options)
+    : Assistant(car, street_place(street), of_street(street, options)) {}
+
+std::optional<Maneuver> Assistant::plan(const Pose& measured) const { return map_.maneuver(measured); }
+
+Instruction Assistant::next(const Pose& measured, std::optional<Direction> driven) const {
+    const MapBounds bounds = map_.at(measured);
+    if (bounds.where == MapBounds::outside) return {};
+    if (bounds.where == MapBounds::free && bounds.direction_changes == 0 && !bounds.first)
+        return {Instruction::parked, {}, 0};
+    const std::optional<Maneuver> way = map_.maneuver(measured);
+    if (!way) return short_way(measured, driven, std::numeric_limits<int>::max());
+    const int changes = way->direction_changes() + (driven && *driven != way->moves.front().direction ? 1 : 0);
+    if (driven && changes > 0) {
+        const Instruction farther = short_way(measured, driven, changes - 1);
+        if (farther.what != Instruction::stuck) return farther;
+    }
+    return {Instruction::move, first_way(way->moves), changes};
+}
+
+Instruction Assistant::short_way(const Pose& measured, std::optional<Direction> driven, int most_changes) const {
+    constexpr double step = 0.02;  // [m]
+    // A car that has a way gains little beyond a metre; one beside a wall has to creep off it.
+    const double farthest = most_changes == std::numeric_limits<int>::max() ? 2.5 : 1.0;  // [m]
+    constexpr double least_gain = 0.01;  // of an arc that only leads away: else two of them could lead to and fro [m]
+    constexpr double touch = 1e-9;
+    const double room = nearest(car_, place_, measured);
+    if (!(room >= -touch)) return {};
+    const double kept = std::min(room, map_.clearance()) / 2.0 - touch;
+    Instruction best, away;
+    double best_cost = std::numeric_limits<double>::infinity();
+    double most_room = room + least_gain;
+    for (const Direction direction : {Direction::backward, Direction::forward}) {
+        const int turn = driven && *driven != direction ? 1 : 0;
+        for (const double part : {0.0, -1.0, 1.0, -0.5, 0.5, -0.2, 0.2}) {
+            const double steering = part * map_.car().max_steer();
+            for (double length = step; length <= farthest; length += step) {
+                const Pose there = drive(car_, measured, direction, steering, length);
+                const double left = nearest(car_, place_, there);
+                if (left < kept) break;
+                if (left > most_room && room < map_.clearance() && map_.at(there).where != MapBounds::outside) {
+                    most_room = left;
+                    away = {Instruction::escape, {{direction, steering, length, measured, there, {}}}, 0};
+                }
+                const MapBounds bounds = map_.at(there);
+                if (bounds.where != MapBounds::free || !bounds.direction_changes) continue;
+                const int changes =
+                    *bounds.direction_changes + turn + (bounds.first && *bounds.first != direction ? 1 : 0);
+                const double cost = changes + length / 10.0;
+                if (changes > most_changes || cost >= best_cost) continue;
+                best_cost = cost;
+                best = {room < map_.clearance() ? Instruction::escape : Instruction::move,
+                        {{direction, steering, length, measured, there, {}}},
+                        changes};
+            }
+        }
+    }
+    return best.what == Instruction::stuck ? away : best;
+}
+
+}  // namespace snug

@@ -1,0 +1,54 @@
+#include "full_steering/proof/driver.hpp"
+
+namespace snug::detail::proof {
+
+Outcome Driver::look(Box& box, int limit) {
+    limit_ = limit;
+    ++boxes_;
+    forks_ = 0;
+    mover_.forget();
+    trail_[static_cast<std::size_t>(box.driven)] = box.driven == 0 ? mover_.enter(box) : box.state;
+    const Outcome outcome = follow(box.driven);
+    box.doubtful = mover_.doubtful();
+    box.away_from = mover_.away_from();
+    return outcome;
+}
+
+Outcome Driver::follow(int n) {
+    for (; n <= limit_; ++n) {
+        const std::size_t at = static_cast<std::size_t>(n);
+        Outcome outcome;
+        outcome.move = n;
+        switch (mover_.move(trail_[at], trail_[at + 1], outcome)) {
+            case After::moved: break;
+            case After::ended: return outcome;
+            case After::grazed: return both_ways(outcome);
+        }
+    }
+    return {Outcome::none, limit_, true, {}};
+}
+
+/// Where it cannot be told whether the lowest corner grazes the curb: first as if it passed, then as if it met it. If
+/// both come to the same, it does not matter.
+Outcome Driver::both_ways(const Outcome& fork) {
+    if (++forks_ > most_forks) return fork;
+    Outcome common;
+    const std::size_t at = static_cast<std::size_t>(fork.move);
+    for (const bool meets : {false, true}) {
+        if (!meets && fork.failure.surely) continue;
+        Outcome outcome;
+        outcome.move = fork.move;
+        const After after = mover_.move(trail_[at], trail_[at + 1], outcome, &fork.failure, meets);
+        if (after == After::grazed) return fork;
+        if (after == After::moved) outcome = follow(fork.move + 1);
+        if (outcome.what == Outcome::undecided) return fork;
+        if (!meets || fork.failure.surely) {
+            common = outcome;
+        } else if (outcome.what != common.what || (outcome.what == Outcome::parks && outcome.move != common.move)) {
+            return fork;
+        }
+    }
+    return common;
+}
+
+}  // namespace snug::detail::proof

@@ -1,0 +1,112 @@
+#include "full_steering/proof/verdict.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace snug::detail {
+
+int SingleRuns::changes_from(double heading, int most) const {
+    FullSteeringRun run(steering, heading);
+    for (int changes = 0; changes <= most; ++changes) {
+        const FullMove move = run.drive<false>();
+        if (move.stuck) return -1;
+        if (move.depth <= 0.0) return changes;
+        if (move.meets == Meets::nothing || run.heading().angle() < -steepest) return -1;
+    }
+    return -1;
+}
+
+void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found, std::vector<Headings>& noise) {
+    std::erase_if(found, [&](const CountedHeadings& range) {
+        if (runs.changes_from(0.5 * (range.min + range.max), range.changes) == range.changes) return false;
+        noise.push_back({range.min, range.max});
+        return true;
+    });
+}
+
+ProofHints hints_from(const std::vector<CountedHeadings>& found, int changes) {
+    constexpr double beside = 1.5e-12;
+    constexpr double end = 1.57079632679489661923;
+    ProofHints hints{changes, {}};
+    for (int i = 1; i < 16; ++i) hints.headings.push_back(end * i / 16);
+    for (const CountedHeadings& range : found)
+        hints.headings.insert(hints.headings.end(),
+                              {range.min - beside, range.min + beside, range.max - beside, range.max + beside});
+    std::sort(hints.headings.begin(), hints.headings.end());
+    return hints;
+}
+
+namespace {
+
+/// What holds at a heading: a count, -1 for none.
+int count_at(const std::vector<CountedHeadings>& ranges, double heading) {
+    const auto after = std::upper_bound(ranges.begin(), ranges.end(), heading,
+                                        [](double at, const CountedHeadings& range) { return at < range.min; });
+    return after != ranges.begin() && heading <= std::prev(after)->max ? std::prev(after)->changes : -1;
+}
+
+/// What is found to be so between two headings, and was not.
+void correct(std::vector<CountedHeadings>& found, double min, double max, int changes) {
+    std::vector<CountedHeadings> right;
+    for (const CountedHeadings& range : found) {
+        if (range.max <= min || max <= range.min) {
+            right.push_back(range);
+            continue;
+        }
+        if (range.min < min) right.push_back({range.min, min, range.changes});
+        if (max < range.max) right.push_back({max, range.max, range.changes});
+    }
+    if (changes >= 0) right.push_back({min, max, changes});
+    std::sort(right.begin(), right.end(), [](const auto& a, const auto& b) { return a.min < b.min; });
+    found = right;
+}
+
+}  // namespace
+
+void settle(const SingleRuns& runs, std::vector<CountedHeadings>& found, const ProvedRanges& proved,
+            std::vector<Headings>& undecided) {
+    std::vector<double> edges;
+    for (const CountedHeadings& range : found) edges.insert(edges.end(), {range.min, range.max});
+    for (const CountedHeadings& range : proved.ranges) edges.insert(edges.end(), {range.min, range.max});
+    for (const Sliver& sliver : proved.undecided) edges.insert(edges.end(), {sliver.min, sliver.max});
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+        const double min = edges[i - 1];
+        const double max = edges[i];
+        if (max - min <= one_subrange) continue;
+        const double at = 0.5 * (min + max);
+        const bool left_out = std::any_of(proved.undecided.begin(), proved.undecided.end(),
+                                          [at](const Sliver& sliver) { return sliver.min <= at && at <= sliver.max; });
+        if (left_out) continue;
+        const int right = count_at(proved.ranges, at);
+        if (count_at(found, at) == right) continue;
+        if (runs.changes_from(at, right >= 0 ? right : proved.proved_changes) == right) {
+            correct(found, min, max, right);
+        } else {
+            undecided.push_back({min, max});
+        }
+    }
+    for (const Sliver& sliver : proved.undecided)
+        if (sliver.max - sliver.min > one_subrange) undecided.push_back({sliver.min, sliver.max});
+    for (const CountedHeadings& range : proved.ranges) {  // too narrow to be compared
+        const bool known = std::any_of(found.begin(), found.end(), [&](const CountedHeadings& other) {
+            return other.min <= range.max + one_subrange && range.min <= other.max + one_subrange;
+        });
+        if (!known) undecided.push_back({range.min, range.max});
+    }
+}
+
+std::vector<Headings> joined(std::vector<Headings> parts) {
+    std::sort(parts.begin(), parts.end(), [](const Headings& a, const Headings& b) { return a.min < b.min; });
+    std::vector<Headings> whole;
+    for (const Headings& part : parts) {
+        if (!whole.empty() && part.min <= whole.back().max + one_subrange) {
+            whole.back().max = std::max(whole.back().max, part.max);
+        } else {
+            whole.push_back(part);
+        }
+    }
+    return whole;
+}
+
+}  // namespace snug::detail

@@ -1,0 +1,61 @@
+// snug drive says how many runs park, in every format, or what is wrong with the question.
+#include <nlohmann/json.hpp>
+
+#include "process.hpp"
+
+namespace snug::test {
+namespace {
+
+const std::string bay = "drive --car renault-zoe --length 5 --width 2.5 --angle 90 --road 6 ";
+const std::string few = "--margin 0.05 --runs 5 ";
+
+TEST(Drive, AnswersInEveryFormat) {
+    const Folder folder;
+    const Result json =
+        run(bay + few + "--format json --trajectory " + folder.file("t.csv") + " --draw " + folder.file("tracks.svg"));
+    EXPECT_EQ(json.exit_code, 0) << json.err;
+    const auto answer = nlohmann::json::parse(json.out);
+    for (const char* key : {"schema", "car", "slot", "start", "runs", "seed", "margin", "parked", "contacts",
+                            "planned_changes", "lower_bound", "direction_changes", "seconds", "smallest_distance"})
+        EXPECT_TRUE(answer.contains(key)) << key;
+    EXPECT_EQ(answer["runs"], 5);
+    EXPECT_EQ(answer["parked"], 5);
+    EXPECT_EQ(answer["contacts"], 0);
+    EXPECT_LE(answer["lower_bound"], answer["planned_changes"]);
+    EXPECT_LE(answer["direction_changes"]["mean"].get<double>(), answer["direction_changes"]["max"].get<double>());
+    EXPECT_GT(answer["smallest_distance"].get<double>(), 0.0);
+    EXPECT_NE(contents(folder.file("tracks.svg")).find("<svg"), std::string::npos);
+    EXPECT_EQ(contents(folder.file("t.csv")).find("time,x,y,heading"), 0U);
+
+    const Result csv = run(bay + few + "--format csv");
+    EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'), 6);
+    const Result text = run(bay + few);
+    EXPECT_NE(text.out.find("renault-zoe parks in 5 of 5 runs."), std::string::npos) << text.out;
+    EXPECT_EQ(run(bay + few + "--threads 1").out, text.out);
+    EXPECT_NE(run(bay + few + "--seed 2 --format csv").out, csv.out);
+}
+
+TEST(Drive, WithoutAPlanIsNo) {
+    const Result none = run("drive --car renault-zoe --length 4.2 --width 1.8 --runs 3");
+    EXPECT_EQ(none.exit_code, 1);
+    EXPECT_NE(none.out.find("has no way into the place"), std::string::npos) << none.out;
+}
+
+TEST(Drive, RefusesWhatIsImpossible) {
+    const auto refused = [&](const std::string& options, const std::vector<std::string>& named) {
+        expect_refusal(run(bay + options), named);
+    };
+    refused("--runs 0", {"--runs"});
+    refused("--rate 2", {"--rate"});
+    refused("--margin -1", {"--margin"});
+    refused("--sensing 0.1,0.1", {"--sensing"});
+    refused("--sensing=-0.1,0,0 --runs 1", {"sensing error"});
+    refused("--actuation 0.1", {"--actuation"});
+    refused("--steer moving", {"--steer", "standing"});
+    refused("--clearance 0.1", {"--clearance", "--margin"});
+    refused("--from 0.5,-1,0 --runs 1", {"meets an obstacle"});
+    refused("--speed 1", {"--speed", "--trajectory"});
+}
+
+}  // namespace
+}  // namespace snug::test

@@ -1,0 +1,294 @@
+// The Assistant and the car that errs: nothing it is told to drive touches, and its runs are what they say.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drive/run.hpp"
+#include "park/judge.hpp"
+#include "park/random_places.hpp"
+#include "sample.hpp"
+#include "snug/drive.hpp"
+#include "snug/error.hpp"
+#include "snug/park_map.hpp"
+#include "snug/trajectory.hpp"
+
+namespace park_test {
+namespace {
+
+using snug::Assistant;
+using snug::AssistantOptions;
+using snug::Direction;
+using snug::DriveAnswer;
+using snug::DriveOptions;
+using snug::DriveRun;
+using snug::Instruction;
+using snug::Move;
+
+Car zoe() { return *snug::find_car("renault-zoe"); }
+
+Street usual_street() {
+    Street street;
+    street.length = 5.2;
+    street.width = 2.0;
+    street.road = 3.5;
+    return street;
+}
+
+const Pose usual_start = {2.0, 1.75, 0.0};
+
+DriveOptions without_errors() {
+    DriveOptions options;
+    options.errors = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0, 0.0};
+    options.margin = 0.03;
+    options.runs = 3;
+    return options;
+}
+
+/// Drives each of the moves in steps of 2 cm and says how deep the car overlaps something at worst.
+double deepest(const Car& car, const Place& place, const Pose& start, const std::vector<Move>& moves) {
+    double worst = depth_in_place(car, place, start);
+    Pose at = start;
+    for (const Move& move : moves) {
+        const double turn =
+            static_cast<int>(move.direction) * std::tan(move.steering_angle) / car.wheelbase();  // for each metre
+        const int steps = std::max(1, static_cast<int>(std::ceil(move.length / 0.02)));
+        for (int i = 0; i < steps; ++i) {
+            const double ds = move.length / steps;
+            const double middle = at.heading + turn * ds / 2.0;
+            const double chord = turn == 0.0 ? ds : 2.0 / turn * std::sin(turn * ds / 2.0);
+            at.x += static_cast<int>(move.direction) * chord * std::cos(middle);
+            at.y += static_cast<int>(move.direction) * chord * std::sin(middle);
+            at.heading += turn * ds;
+            worst = std::max(worst, depth_in_place(car, place, at));
+        }
+    }
+    return worst;
+}
+
+TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
+    int driven = 0, parked = 0, escaped = 0, stuck = 0;
+    for (int i = 0; i < snug::test::sample(6, 60); ++i) {
+        SCOPED_TRACE(i);
+        const Case one = random_case(static_cast<std::uint64_t>(i));
+        Random random(static_cast<std::uint64_t>(i) + 77);
+        AssistantOptions options;
+        options.margin = random.between(0.0, 0.1);
+        options.heading = one.start.heading;
+        std::optional<Assistant> assistant;
+        try {
+            assistant.emplace(one.car, one.place, options);
+        } catch (const snug::Error&) {
+            continue;  // too small for the margin, or too large for a map: told in a sentence
+        }
+        const auto& region = one.place.region();
+        double x_min = region[0].x, x_max = x_min, y_min = region[0].y, y_max = y_min;
+        for (const Point& p : region) {
+            x_min = std::min(x_min, p.x), x_max = std::max(x_max, p.x);
+            y_min = std::min(y_min, p.y), y_max = std::max(y_max, p.y);
+        }
+        for (int k = 0; k < snug::test::sample(300, 20000); ++k) {
+            const Pose pose = {random.between(x_min - 1.0, x_max + 1.0), random.between(y_min - 1.0, y_max + 1.0),
+                               one.start.heading + random.between(-3.5, 3.5)};
+            const Instruction told = assistant->next(
+                pose, random.chance(0.5)
+                          ? std::nullopt
+                          : std::optional(random.chance(0.5) ? Direction::forward : Direction::backward));
+            const std::string what = one.described + "\nat " + std::to_string(pose.x) + ", " + std::to_string(pose.y) +
+                                     ", " + std::to_string(pose.heading);
+            switch (told.what) {
+                case Instruction::stuck: ++stuck; continue;
+                case Instruction::parked:
+                    ++parked;
+                    EXPECT_LE(short_of_parked(one.car, one.place, pose), 1e-7) << what;
+                    continue;
+                case Instruction::escape: ++escaped; break;
+                case Instruction::move: ++driven; break;
+            }
+            ASSERT_FALSE(told.moves.empty()) << what;
+            EXPECT_EQ(told.moves.front().start, pose) << what;
+            for (const Move& move : told.moves) {
+                EXPECT_EQ(move.direction, told.moves.front().direction) << what;
+                EXPECT_LE(std::abs(move.steering_angle), one.car.max_steer() * (1.0 + 1e-12)) << what;
+            }
+            EXPECT_LE(deepest(one.car, one.place, pose, told.moves), 1e-7) << what;
+        }
+    }
+    EXPECT_GT(driven, 0);
+    EXPECT_GT(stuck, 0);
+    EXPECT_GE(parked + escaped, 0);
+}
+
+TEST(Assistant, HasNoAnswerToPosesThatAreNoNumbers) {
+    const Assistant assistant(zoe(), usual_street());
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double inf = std::numeric_limits<double>::infinity();
+    for (const double bad : {nan, inf, -inf, 1e300}) {
+        EXPECT_EQ(assistant.next({bad, 0.0, 0.0}).what, Instruction::stuck);
+        EXPECT_EQ(assistant.next({0.0, bad, 0.0}).what, Instruction::stuck);
+        EXPECT_EQ(assistant.next({0.0, 0.0, bad}).what, Instruction::stuck);
+    }
+}
+
+TEST(Assistant, LeadsAwayFromWhatIsNearerThanTheMargin) {
+    AssistantOptions options;
+    options.margin = 0.1;
+    const Assistant assistant(zoe(), usual_street(), options);
+    // 3 cm from the far side of the road.
+    const Pose near = {2.0, 3.5 - 1.771 / 2.0 - 0.03, 0.0};
+    Pose at = near;
+    int arcs = 0;
+    while (assistant.map().at(at).where != snug::MapBounds::free) {
+        ASSERT_LT(++arcs, 10);
+        const Instruction told = assistant.next(at);
+        ASSERT_TRUE(told.what == Instruction::escape || (arcs > 1 && told.what == Instruction::move));
+        EXPECT_LE(deepest(zoe(), street_place(usual_street()), at, told.moves), 0.0);
+        at = told.moves.back().end;
+    }
+    EXPECT_GT(arcs, 0);
+}
+
+TEST(Drive, WithoutErrorsIsThePlan) {
+    const Place place = street_place(usual_street());
+    const DriveAnswer answer = drive_runs(zoe(), place, usual_start, without_errors());
+    ASSERT_TRUE(answer.plannable);
+    EXPECT_EQ(answer.parked(), 3);
+    EXPECT_EQ(answer.contacts(), 0);
+    for (const DriveRun& run : answer.runs) {
+        EXPECT_LE(run.direction_changes, answer.planned_changes);
+        EXPECT_GE(run.direction_changes, answer.lower_bound);
+        // It turns back from what is nearer than a third of the margin.
+        EXPECT_GE(run.smallest_distance, 0.03 / 3.0 - 1e-9);
+    }
+}
+
+TEST(Drive, RunsAreWhatTheySay) {
+    const Street street = usual_street();
+    const Place place = street_place(street);
+    DriveOptions options;
+    options.margin = 0.03;
+    options.runs = snug::test::sample(20, 1000);
+    const DriveAnswer answer = drive_runs(zoe(), place, usual_start, options);
+    ASSERT_TRUE(answer.plannable);
+    int parked = 0;
+    for (std::size_t i = 0; i < answer.runs.size(); ++i) {
+        SCOPED_TRACE(i);
+        const DriveRun& run = answer.runs[i];
+        parked += run.parked ? 1 : 0;
+        ASSERT_FALSE(run.track.empty());
+        double deepest_overlap = -1e300;
+        for (const Pose& pose : run.track)
+            deepest_overlap = std::max(deepest_overlap, depth_in_place(zoe(), place, pose));
+        EXPECT_EQ(run.contact, deepest_overlap > 1e-12) << deepest_overlap;
+        EXPECT_LE(run.smallest_distance, -deepest_overlap + 1e-9);
+        if (run.parked) {
+            EXPECT_LE(short_of_parked(zoe(), place, run.track.back()), 1e-9);
+            EXPECT_FALSE(run.contact);
+        }
+        // Which way it rolled, from the track alone.
+        int changes = 0;
+        int last = 0;
+        for (std::size_t k = 1; k < run.track.size(); ++k) {
+            const Pose &a = run.track[k - 1], &b = run.track[k];
+            const double along = (b.x - a.x) * std::cos(a.heading) + (b.y - a.y) * std::sin(a.heading);
+            if (std::abs(along) < 0.048) continue;  // coming to rest, it slips a little either way
+            const int way = along > 0.0 ? 1 : -1;
+            changes += last != 0 && way != last ? 1 : 0;
+            last = way;
+        }
+        EXPECT_LE(changes, run.direction_changes);
+    }
+    EXPECT_EQ(parked, answer.parked());
+    EXPECT_GT(parked, options.runs * 9 / 10);
+}
+
+TEST(Drive, IsTheSameForOneSeedOnAnyNumberOfCores) {
+    const Place place = street_place(usual_street());
+    DriveOptions options;
+    options.margin = 0.04;
+    options.runs = 8;
+    options.threads = 1;
+    const DriveAnswer one = drive_runs(zoe(), place, usual_start, options);
+    options.threads = 3;
+    EXPECT_EQ(one.runs, drive_runs(zoe(), place, usual_start, options).runs);
+    options.seed = 2;
+    EXPECT_NE(one.runs, drive_runs(zoe(), place, usual_start, options).runs);
+}
+
+TEST(Drive, LookingAgainParksMoreOftenThanNot) {
+    const Place place = street_place(usual_street());
+    DriveOptions options;
+    options.margin = 0.03;
+    options.runs = snug::test::sample(40, 1000);
+    const DriveAnswer looking = drive_runs(zoe(), place, usual_start, options);
+    options.blind = true;
+    const DriveAnswer blind = drive_runs(zoe(), place, usual_start, options);
+    EXPECT_GT(looking.parked(), 2 * blind.parked());
+}
+
+TEST(Drive, FindsAMarginThatDoes) {
+    Street street = usual_street();
+    street.length = 5.0;
+    street.width = 2.5;
+    street.angle = 1.5707963267948966;
+    street.road = 6.0;
+    DriveOptions options;
+    options.runs = 30;
+    options.rate = 0.9;
+    const DriveAnswer answer = drive_runs(zoe(), street_place(street), standard_start(street, zoe()), options);
+    ASSERT_TRUE(answer.plannable);
+    EXPECT_GT(answer.margin, 0.0);
+    EXPECT_EQ(answer.runs.size(), 30U);
+    EXPECT_GE(answer.parked(), 27);
+    EXPECT_EQ(answer.planned->entry(), standard_start(street, zoe()));
+}
+
+TEST(Drive, SaysWhereNoPlanHasSuchAMargin) {
+    DriveOptions options;
+    options.margin = 0.2;
+    const DriveAnswer answer = drive_runs(zoe(), street_place(usual_street()), usual_start, options);
+    EXPECT_FALSE(answer.plannable);
+    EXPECT_TRUE(answer.runs.empty());
+}
+
+TEST(Drive, GivesUpWhenToldTo) {
+    DriveOptions options = without_errors();
+    options.threads = 1;
+    options.runs = 100;
+    options.progress = [](double, int runs) { return runs < 2; };
+    const DriveAnswer answer = drive_runs(zoe(), street_place(usual_street()), usual_start, options);
+    EXPECT_TRUE(answer.cancelled);
+    EXPECT_EQ(answer.runs.size(), 2U);
+}
+
+TEST(Drive, RefusesWhatIsImpossible) {
+    const Place place = street_place(usual_street());
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto refused = [&](DriveOptions options, const Pose& start = usual_start) {
+        EXPECT_THROW((void)drive_runs(zoe(), place, start, options), snug::Error);
+    };
+    for (const double bad : {-1.0, nan, 1e9}) {
+        DriveOptions options = without_errors();
+        options.errors.sensing.x = bad;
+        refused(options);
+        options = without_errors();
+        options.errors.steering = bad;
+        refused(options);
+        options = without_errors();
+        options.margin = bad;
+        refused(options);
+        options = without_errors();
+        options.limits.speed = bad;
+        refused(options);
+        options = without_errors();
+        options.rate = bad;
+        refused(options);
+    }
+    refused(without_errors(), {2.0, 0.0, 0.0});  // in the front neighbour
+}
+
+}  // namespace
+}  // namespace park_test
