@@ -9,6 +9,7 @@
 #include "contact/turning.hpp"
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
+#include "snug/limits.hpp"
 
 namespace snug {
 
@@ -16,7 +17,6 @@ namespace {
 
 using namespace detail;
 
-constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double touching_part = 1e-9;      ///< of the car's length: closer is touching, deeper is overlapping
 constexpr double straight_bend = 1e-9;      ///< curvature below which a move starts as a straight line [1/m]
 constexpr double full_circle_slack = 1e-9;  ///< how much of one is left when what touched at the start touches again
@@ -141,7 +141,8 @@ Meeting first_met_straight(const PlainMove& move) {
 
 /// How the heading has turned, clockwise, from one to another. [rad]
 double turned(const QuarterHeading& from, const QuarterHeading& to) {
-    return (to.quarter - from.quarter) * quarter_turn + angles::atan2(from.s, from.c) - angles::atan2(to.s, to.c);
+    return (to.quarter - from.quarter) * limits::quarter_turn + angles::atan2(from.s, from.c) -
+           angles::atan2(to.s, to.c);
 }
 
 struct Turning {
@@ -304,13 +305,29 @@ Apart apart_from_curb(const Problem& problem, const Standing& car) {
     return nearest;
 }
 
+/// Does some line beside or above everything keep the body out of both neighbours? Then edges need not be looked at.
+bool plainly_apart(const Problem& problem, const Standing& car) {
+    double right = -std::numeric_limits<double>::infinity();
+    double left = -right;
+    double low = -right;
+    for (const Point& own : problem.body.corners()) {
+        const Point point = car.at(own);
+        right = std::max(right, point.x);
+        left = std::min(left, point.x);
+        low = std::min(low, point.y);
+    }
+    return (right <= problem.touch || low >= -problem.front_setback - problem.touch) &&
+           (left >= -problem.length - problem.touch || low >= -problem.rear_setback - problem.touch);
+}
+
 /// What a pose that overlaps already is in contact with.
 std::optional<Meeting> overlapped(const PlainMove& move) {
     const Problem& problem = move.problem;
     const Standing car(move.start);
-    for (const Apart& apart :
-         {apart_from_curb(problem, car), apart_from(problem.body, car, corner_met(problem, Meets::front_corner), 1.0),
-          apart_from(problem.body, car, corner_met(problem, Meets::rear_corner), -1.0)}) {
+    const Apart curb = apart_from_curb(problem, car);
+    if (curb.distance >= -problem.touch && plainly_apart(problem, car)) return std::nullopt;
+    for (const Apart& apart : {curb, apart_from(problem.body, car, corner_met(problem, Meets::front_corner), 1.0),
+                               apart_from(problem.body, car, corner_met(problem, Meets::rear_corner), -1.0)}) {
         if (apart.distance < -problem.touch) return Meeting{0.0, apart.meets, apart.part};
     }
     return std::nullopt;

@@ -32,4 +32,23 @@ struct Plain {
 #undef SNUG_INLINE
 #undef SNUG_LAMBDA
 
+/// The direction of a heading.
+struct Bearing {
+    double c, s;
+    [[nodiscard]] double order() const { return s - c; }
+};
+
+/// Takes both directions at which a c + b s = d; none where they do not exist.
+template <class Take>
+void roots(double a, double b, double d, Take take) {
+    const double whole = a * a + b * b;
+    const double radius = std::sqrt(whole);
+    const double square = (radius - d) * (radius + d);
+    if (!(square >= 0.0) || whole == 0.0) return;
+    const Root<double> inward = root<Plain<double>>({a, b, d, square, 1.0 / whole});
+    take(Bearing{inward.c, inward.s});
+    const Root<double> outward = root<Plain<double>>({a, -b, d, square, 1.0 / whole});
+    take(Bearing{outward.c, -outward.s});
+}
+
 }  // namespace snug::detail

@@ -12,11 +12,6 @@ namespace snug::detail {
 
 namespace {
 
-struct Direction {
-    double c, s;
-    [[nodiscard]] double order() const { return s - c; }
-};
-
 Point outward_normal(const Point& from, const Point& to) {
     const double length = angles::hypot(to.x - from.x, to.y - from.y);
     return {(to.y - from.y) / length, (from.x - to.x) / length};
@@ -28,19 +23,6 @@ Point rear_corner(const Problem& problem) { return {-problem.length, problem.fro
 /// How far the first move starts away from the front side; negative: into it. [m]
 double first_move_clears(const Problem& problem, const Point& corner, double c, double s) {
     return (problem.radius - corner.y) * c - corner.x * s;
-}
-
-/// Takes every heading in a quarter turn at which a c + b s = d.
-template <class Take>
-void roots(double a, double b, double d, Take take) {
-    const double whole = a * a + b * b;
-    const double radius = std::sqrt(whole);
-    const double square = (radius - d) * (radius + d);
-    if (!(square >= 0.0) || whole == 0.0) return;
-    const Root<double> one = root<Plain<double>>({a, b, d, square, 1.0 / whole});
-    if (one.c > 0.0 && one.s > 0.0) take(Direction{one.c, one.s});
-    const Root<double> other = root<Plain<double>>({a, -b, d, square, 1.0 / whole});
-    if (other.c > 0.0 && other.s < 0.0) take(Direction{other.c, -other.s});
 }
 
 }  // namespace
@@ -110,9 +92,11 @@ std::vector<Headings> possible_headings(const Problem& problem, const EntryShape
     if (!open && problem.body.front() + problem.body.rear() > problem.length) return {};
     const Point& corner = shape.corner;
     const Point rear = rear_corner(problem);
-    Few<Direction, 48> cuts;
+    Few<Bearing, 48> cuts;
     cuts.push_back({1.0, 0.0});
-    const auto cut = [&](const Direction& at) { cuts.push_back(at); };
+    const auto cut = [&](const Bearing& at) {
+        if (at.c > 0.0 && at.s > 0.0) cuts.push_back(at);
+    };
     roots(shape.before.y, shape.before.x, 0.0, cut);
     roots(shape.after.x, -shape.after.y, 0.0, cut);
     roots(problem.radius - corner.y, -corner.x, 0.0, cut);
@@ -123,8 +107,7 @@ std::vector<Headings> possible_headings(const Problem& problem, const EntryShape
         roots(rear.x * edge.normal.x + rear.y * edge.normal.y, rear.y * edge.normal.x - rear.x * edge.normal.y,
               edge.normal.x * edge.corner.x + edge.normal.y * edge.corner.y, cut);
     }
-    std::sort(cuts.begin() + 1, cuts.end(),
-              [](const Direction& a, const Direction& b) { return a.order() < b.order(); });
+    std::sort(cuts.begin() + 1, cuts.end(), [](const Bearing& a, const Bearing& b) { return a.order() < b.order(); });
     cuts.push_back({0.0, 1.0});
 
     const auto is_possible = [&](double c, double s) { return shape.clears(problem, c, s) >= -problem.touch; };

@@ -18,11 +18,6 @@ struct Condition {
     [[nodiscard]] double by_heading(double c, double s) const { return b * c - a * s; }
 };
 
-struct Direction {
-    double c, s;
-    [[nodiscard]] double order() const { return s - c; }
-};
-
 struct Conditions {
     std::array<Condition, 4> all;
     std::size_t count = 0;
@@ -48,20 +43,7 @@ struct Conditions {
     [[nodiscard]] double miss(double c, double s) const { return worst(c, s).at(c, s); }
 };
 
-/// Both directions at which a c + b s = d; none where they do not exist.
-template <class Take>
-void roots(double a, double b, double d, Take take) {
-    const double whole = a * a + b * b;
-    const double radius = std::sqrt(whole);
-    const double square = (radius - d) * (radius + d);
-    if (!(square >= 0.0) || whole == 0.0) return;
-    const Root<double> inward = root<Plain<double>>({a, b, d, square, 1.0 / whole});
-    take(Direction{inward.c, inward.s});
-    const Root<double> outward = root<Plain<double>>({a, -b, d, square, 1.0 / whole});
-    take(Direction{outward.c, -outward.s});
-}
-
-bool lies_between(const Direction& at, const Direction& begin, const Direction& end) {
+bool lies_between(const Bearing& at, const Bearing& begin, const Bearing& end) {
     return at.c >= 0.0 && at.s >= 0.0 && at.order() < begin.order() && at.order() > end.order();
 }
 
@@ -89,8 +71,8 @@ void each_sector(const TurningFrame& frame, const QuarterHeading& from, const Qu
         const Sector& sector = frame.at(now.quarter, index);
         const bool last =
             now.quarter == to.quarter && (index + 1 == frame.per_quarter || to.order() >= sector.end_order);
-        const Direction end = last ? Direction{to.c, to.s} : Direction{sector.end_c, sector.end_s};
-        if (!visit(sector, Direction{now.c, now.s}, end, now.quarter) || last) return;
+        const Bearing end = last ? Bearing{to.c, to.s} : Bearing{sector.end_c, sector.end_s};
+        if (!visit(sector, Bearing{now.c, now.s}, end, now.quarter) || last) return;
         if (++index == frame.per_quarter) {
             index = 0;
             now = {0.0, 1.0, now.quarter + 1};
@@ -130,31 +112,30 @@ Miss least_miss(const Turn& turn, const QuarterHeading& from, const QuarterHeadi
         take(conditions.miss(part->from.c, part->from.s),
              slope_at(conditions, part->from.c, part->from.s, whole_from ? from_slope : 0.0));
     }
-    each_sector(*turn.frame, part->from, part->to,
-                [&](const Sector& sector, Direction begin, Direction end, int quarter) {
-                    const Conditions conditions(turn, sector);
-                    for (std::size_t i = 0; i < conditions.count; ++i) {
-                        const Condition& one = conditions.all[i];
-                        const double radius = std::sqrt(one.a * one.a + one.b * one.b);
-                        const Direction lowest = {-one.a / radius, -one.b / radius};
-                        if (lies_between(lowest, begin, end) && &conditions.worst(lowest.c, lowest.s) == &one)
-                            take(one.at(lowest.c, lowest.s), one.e_slope);
-                        for (std::size_t k = 0; k < i; ++k) {
-                            const Condition& other = conditions.all[k];
-                            roots(one.a - other.a, one.b - other.b, other.e - one.e, [&](const Direction& at) {
-                                if (!lies_between(at, begin, end)) return;
-                                const double here = conditions.miss(at.c, at.s);
-                                if (here > one.at(at.c, at.s) + 1e-9 * radius) return;  // a third is missed by more
-                                const double mine = one.by_heading(at.c, at.s);
-                                const double others = other.by_heading(at.c, at.s);
-                                take(here, (one.e_slope * others - other.e_slope * mine) / (others - mine));
-                            });
-                        }
-                    }
-                    const bool at_end = whole_to && quarter == to.quarter && end.order() == to.order();
-                    take(conditions.miss(end.c, end.s), slope_at(conditions, end.c, end.s, at_end ? to_slope : 0.0));
-                    return true;
+    each_sector(*turn.frame, part->from, part->to, [&](const Sector& sector, Bearing begin, Bearing end, int quarter) {
+        const Conditions conditions(turn, sector);
+        for (std::size_t i = 0; i < conditions.count; ++i) {
+            const Condition& one = conditions.all[i];
+            const double radius = std::sqrt(one.a * one.a + one.b * one.b);
+            const Bearing lowest = {-one.a / radius, -one.b / radius};
+            if (lies_between(lowest, begin, end) && &conditions.worst(lowest.c, lowest.s) == &one)
+                take(one.at(lowest.c, lowest.s), one.e_slope);
+            for (std::size_t k = 0; k < i; ++k) {
+                const Condition& other = conditions.all[k];
+                roots(one.a - other.a, one.b - other.b, other.e - one.e, [&](const Bearing& at) {
+                    if (!lies_between(at, begin, end)) return;
+                    const double here = conditions.miss(at.c, at.s);
+                    if (here > one.at(at.c, at.s) + 1e-9 * radius) return;  // a third is missed by more
+                    const double mine = one.by_heading(at.c, at.s);
+                    const double others = other.by_heading(at.c, at.s);
+                    take(here, (one.e_slope * others - other.e_slope * mine) / (others - mine));
                 });
+            }
+        }
+        const bool at_end = whole_to && quarter == to.quarter && end.order() == to.order();
+        take(conditions.miss(end.c, end.s), slope_at(conditions, end.c, end.s, at_end ? to_slope : 0.0));
+        return true;
+    });
     return least;
 }
 
@@ -163,36 +144,35 @@ std::optional<ParkedTurn> first_parked(const Turn& turn, const QuarterHeading& f
     const std::optional<ParkedTurn> part = parallel_part(turn, from, to);
     if (!part) return std::nullopt;
     std::optional<ParkedTurn> found;
-    each_sector(*turn.frame, part->from, part->to,
-                [&](const Sector& sector, Direction begin, Direction end, int quarter) {
-                    const Conditions conditions(turn, sector);
-                    std::array<Direction, 10> cuts;
-                    std::size_t count = 0;
-                    cuts[count++] = begin;
-                    for (std::size_t i = 0; i < conditions.count; ++i) {
-                        const Condition& one = conditions.all[i];
-                        roots(one.a, one.b, -one.e, [&](const Direction& at) {
-                            if (lies_between(at, begin, end)) cuts[count++] = at;
-                        });
-                    }
-                    const auto later = [](const Direction& a, const Direction& b) { return a.order() > b.order(); };
-                    std::sort(cuts.begin() + 1, cuts.begin() + static_cast<std::ptrdiff_t>(count), later);
-                    cuts[count++] = end;
-                    if (!found && conditions.miss(begin.c, begin.s) <= allowed)
-                        found = ParkedTurn{{begin.c, begin.s, quarter}, {begin.c, begin.s, quarter}};
-                    for (std::size_t i = 0; i + 1 < count; ++i) {
-                        const double c = cuts[i].c + cuts[i + 1].c;
-                        const double s = cuts[i].s + cuts[i + 1].s;
-                        const double length = std::sqrt(c * c + s * s);
-                        if (conditions.miss(c / length, s / length) <= 0.0) {
-                            if (!found) found = ParkedTurn{{cuts[i].c, cuts[i].s, quarter}, {}};
-                            found->to = {cuts[i + 1].c, cuts[i + 1].s, quarter};
-                        } else if (found) {
-                            return false;
-                        }
-                    }
-                    return true;
-                });
+    each_sector(*turn.frame, part->from, part->to, [&](const Sector& sector, Bearing begin, Bearing end, int quarter) {
+        const Conditions conditions(turn, sector);
+        std::array<Bearing, 10> cuts;
+        std::size_t count = 0;
+        cuts[count++] = begin;
+        for (std::size_t i = 0; i < conditions.count; ++i) {
+            const Condition& one = conditions.all[i];
+            roots(one.a, one.b, -one.e, [&](const Bearing& at) {
+                if (lies_between(at, begin, end)) cuts[count++] = at;
+            });
+        }
+        const auto later = [](const Bearing& a, const Bearing& b) { return a.order() > b.order(); };
+        std::sort(cuts.begin() + 1, cuts.begin() + static_cast<std::ptrdiff_t>(count), later);
+        cuts[count++] = end;
+        if (!found && conditions.miss(begin.c, begin.s) <= allowed)
+            found = ParkedTurn{{begin.c, begin.s, quarter}, {begin.c, begin.s, quarter}};
+        for (std::size_t i = 0; i + 1 < count; ++i) {
+            const double c = cuts[i].c + cuts[i + 1].c;
+            const double s = cuts[i].s + cuts[i + 1].s;
+            const double length = std::sqrt(c * c + s * s);
+            if (conditions.miss(c / length, s / length) <= 0.0) {
+                if (!found) found = ParkedTurn{{cuts[i].c, cuts[i].s, quarter}, {}};
+                found->to = {cuts[i + 1].c, cuts[i + 1].s, quarter};
+            } else if (found) {
+                return false;
+            }
+        }
+        return true;
+    });
     return found;
 }
 

@@ -7,7 +7,6 @@ namespace snug::detail {
 
 namespace {
 
-constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double one_border = 2e-14;  ///< headings this close are one border between sectors [rad]
 
 /// A point seen from the car turned clockwise by whole quarter turns.
@@ -146,8 +145,8 @@ Few<TurningEdge, 8> seen_edges(const Few<TurningCorner, 12>& corners, const Few<
 }  // namespace
 
 QuarterHeading in_quarters(double heading) {
-    const double quarter = std::floor(heading / quarter_turn);
-    const double within = std::max(0.0, heading - quarter * quarter_turn);
+    const double quarter = std::floor(heading / limits::quarter_turn);
+    const double within = std::max(0.0, heading - quarter * limits::quarter_turn);
     const auto [s, c] = angles::sine_cosine(within);
     return {std::max(0.0, c), s, static_cast<int>(-quarter)};
 }

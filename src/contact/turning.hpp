@@ -18,6 +18,7 @@
 #include "contact/entering.hpp"
 #include "contact/few.hpp"
 #include "model/angles.hpp"
+#include "snug/limits.hpp"
 #include "snug/maneuver.hpp"
 
 namespace snug::detail {
@@ -86,7 +87,7 @@ struct QuarterHeading {
     }
     /// Falls with the angle, at an even pace, and needs no trigonometry: sin - cos.
     [[nodiscard]] double order() const { return s - c; }
-    [[nodiscard]] double angle() const { return angles::atan2(s, c) - quarter * 1.57079632679489661923; }
+    [[nodiscard]] double angle() const { return angles::atan2(s, c) - quarter * limits::quarter_turn; }
 };
 
 /// That of any heading. [rad]

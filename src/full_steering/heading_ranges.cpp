@@ -19,12 +19,12 @@
 #include <utility>
 
 #include "full_steering/follow.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::detail {
 
 namespace {
 
-constexpr double quarter_turn = 1.57079632679489661923;
 constexpr double least_gap = 1e-13;  ///< between the two sides of a root; beyond rounding, short of any range [rad]
 constexpr std::size_t most_moves = 30'000'000;
 /// Pieces under way where runs are driven in vectors: with fewer, lanes are left empty; more take memory.
@@ -271,7 +271,7 @@ private:
     bool done(const Run& at) {
         if (progress_ && runs_.driven >= next_report_) {
             next_report_ = runs_.driven + 1'000'000;
-            if (!progress_(at.heading / quarter_turn)) given_up_ = true;
+            if (!progress_(at.heading / limits::quarter_turn)) given_up_ = true;
         }
         return given_up_ || (find_ == Find::any && found_) || runs_.driven > most_moves;
     }
