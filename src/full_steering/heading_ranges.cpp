@@ -96,6 +96,39 @@ double root_between(const Sample& left, const Sample& right, double width) {
     return t * (t * (3.0 - 2.0 * t + end * (t - 1.0)) + start * (1.0 - t) * (1.0 - t));
 }
 
+struct Leaf {
+    double heading;
+    int changes;
+};
+using Quantity = Sample (*)(const FullSteering&, const FullMove&, int edge);
+
+/// A root of a quantity of move n, as far as it is known.
+struct Root {
+    std::size_t n = 0;
+    Quantity quantity = nullptr;
+    int edge = 0;             ///< of the outline, where the quantity is one of an edge
+    double a = 0.0, b = 0.0;  ///< it lies between
+    Sample at_a, at_b;
+    bool left_is_out = false;
+    double two_ago = 0.0, one_ago = 0.0;  ///< how far apart a and b were
+    int steps = 0;
+    bool nearly_there = false;  ///< the run asked for may be one of these two
+    Run before, after;          ///< those at a and b; no moves: not driven yet
+};
+struct Interval {
+    Run left, right;
+};
+enum class Asks { nothing, middle, step, sides };
+/// An interval of headings, and what it has asked for to be split.
+struct Piece : Interval {
+    Asks asks = Asks::nothing;
+    double middle = 0.0;  ///< where to split it
+    std::size_t asked = 0;
+    std::optional<Root> root;
+
+    explicit Piece(const Interval& of) : Interval(of) {}
+};
+
 class Search {
 public:
     Search(const FullSteering& steering, int max_changes, Find find, const Progress& progress)
@@ -116,41 +149,8 @@ public:
     [[nodiscard]] SearchWork work() const { return {runs_.driven, !given_up_ && runs_.driven <= most_moves}; }
 
 private:
-    struct Leaf {
-        double heading;
-        int changes;
-    };
-    using Quantity = Sample (*)(const FullSteering&, const FullMove&, int edge);
-
-    /// A root of a quantity of move n, as far as it is known.
-    struct Root {
-        std::size_t n = 0;
-        Quantity quantity = nullptr;
-        int edge = 0;             ///< of the outline, where the quantity is one of an edge
-        double a = 0.0, b = 0.0;  ///< it lies between
-        Sample at_a, at_b;
-        bool left_is_out = false;
-        double two_ago = 0.0, one_ago = 0.0;  ///< how far apart a and b were
-        int steps = 0;
-        bool nearly_there = false;  ///< the run asked for may be one of these two
-        Run before, after;          ///< those at a and b; no moves: not driven yet
-    };
-    struct Interval {
-        Run left, right;
-    };
-    enum class Asks { nothing, middle, step, sides };
-    /// An interval of headings, and what it has asked for to be split.
-    struct Piece : Interval {
-        Asks asks = Asks::nothing;
-        double middle = 0.0;  ///< where to split it
-        std::size_t asked = 0;
-        std::optional<Root> root;
-
-        explicit Piece(const Interval& of) : Interval(of) {}
-    };
-
     void search(const Headings& headings) {
-        constexpr int cells = 48;
+        constexpr std::size_t cells = 48;
         runs_.moves.clear();
         runs_.moves.reserve(room_for_moves);
         asked_.clear();
@@ -158,7 +158,7 @@ private:
         pieces_.reserve(2 * cells);
         under_way_.reserve(side_by_side);
         leaves_.reserve(4 * cells);
-        for (int i = 0; i <= cells; ++i) {
+        for (std::size_t i = 0; i <= cells; ++i) {
             const double part = static_cast<double>(i) / cells;
             ask(headings.min + (headings.max - headings.min) * part);
             if (headings.max == headings.min) break;
@@ -317,17 +317,17 @@ private:
     }
 
     /// How far a neighbour's corner passes the far end of an edge, and the near side of its line. [m]
-    template <SeenPoint corner(const FullSteering&, const FullMove&)>
+    template <SeenPoint Corner(const FullSteering&, const FullMove&)>
     static Sample passes_end(const FullSteering& steering, const FullMove& move, int edge) {
         const TurningEdge& seen = edge_of(steering, move, edge);
-        const SeenPoint at = corner(steering, move);
+        const SeenPoint at = Corner(steering, move);
         const double across = std::sqrt(at.x * at.x + at.y * at.y - seen.distance * seen.distance);
         return {across - (seen.to + steering.problem.touch), at.slope / across};
     }
-    template <SeenPoint corner(const FullSteering&, const FullMove&)>
+    template <SeenPoint Corner(const FullSteering&, const FullMove&)>
     static Sample passes_line(const FullSteering& steering, const FullMove& move, int edge) {
         const double off = edge_of(steering, move, edge).distance;
-        const SeenPoint at = corner(steering, move);
+        const SeenPoint at = Corner(steering, move);
         const double reach = at.x * at.x + at.y * at.y;
         const double distance = std::sqrt(reach);
         return {(reach - off * off) / (distance + std::abs(off)), at.slope / distance};
