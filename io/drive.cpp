@@ -4,12 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "io/csv.hpp"
+#include "io/lists.hpp"
 #include "snug/io.hpp"
 
 namespace snug {
 namespace {
-
-Json list_of(const Pose& pose) { return Json::array({pose.x, pose.y, pose.heading}); }
 
 void add_answer(Json& json, const Pose& start, const DriveOptions& options, const DriveAnswer& answer) {
     json["start"] = as_json(start);
