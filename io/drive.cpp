@@ -4,17 +4,16 @@
 #include <nlohmann/json.hpp>
 
 #include "io/csv.hpp"
+#include "io/lists.hpp"
 #include "snug/io.hpp"
 
 namespace snug {
 namespace {
 
-Json x_y_heading(const Pose& pose) { return Json::array({pose.x, pose.y, pose.heading}); }
-
 void add_answer(Json& json, const Pose& start, const DriveOptions& options, const DriveAnswer& answer) {
     json["start"] = as_json(start);
-    json["sensing"] = x_y_heading(options.errors.sensing);
-    json["bias"] = x_y_heading(options.errors.bias);
+    json["sensing"] = list_of(options.errors.sensing);
+    json["bias"] = list_of(options.errors.bias);
     json["actuation"] = Json::array({options.errors.distance, options.errors.steering});
     json["rate"] = options.rate;
     json["runs"] = answer.runs.size();

@@ -5,9 +5,13 @@
 
 #include "io/conditions.hpp"
 #include "io/csv.hpp"
+#include "io/lists.hpp"
 #include "snug/io.hpp"
 
 namespace snug {
+
+Json list_of(const Pose& pose) { return Json::array({pose.x, pose.y, pose.heading}); }
+
 namespace {
 
 Json point(const Point& p) { return Json::array({p.x, p.y}); }
@@ -17,8 +21,6 @@ Json polygon(const std::vector<Point>& corners) {
     for (const Point& corner : corners) list.push_back(point(corner));
     return list;
 }
-
-Json list_of(const Pose& pose) { return Json::array({pose.x, pose.y, pose.heading}); }
 
 Json driven(const Maneuver& maneuver, const Pose& start, const std::vector<ParkStop>& stops, const Place& place) {
     Json moves = Json::array();
