@@ -28,6 +28,8 @@ _snug() {
         park:VIEW) words='maneuver map' ;;
         *:VIEW) words='maneuver entries' ;;
         *:CURB) words='high low' ;;
+        *:STEER) words='standing' ;;
+        *:LOOK) words='again once' ;;
         leave:FORMAT | 'atlas query:FORMAT') words='text json' ;;
         *:FORMAT) words='text json csv' ;;
         'atlas build:NAME') words='max-steer fewest' ;;
