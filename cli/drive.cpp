@@ -43,7 +43,7 @@ struct Asked {
               "--sensing", "X,Y,HEADING", "Of every measured pose [m, m, rad] (0.02,0.02,0.0087).", pose)),
           bias(options.declared<Pose>("--bias", "X,Y,HEADING", "Added to every measured pose [m, m, rad] (0,0,0).",
                                       pose)),
-          actuation(options.declared<Point>("--actuation", "DISTANCE,STEERING",
+          actuation(options.declared<Point>("--actuation", "M,RAD",
                                             "Of where a move ends, and of its steering angle\n[m, rad] (0.01,0.0175).",
                                             point)),
           margin(options.group("Plan").number("--margin", "M",

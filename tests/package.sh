@@ -43,7 +43,7 @@ with_pkg_config() {
     c++ -std=c++20 "$source/tests/consumer/core.cpp" $(pkg-config --cflags --libs snug) -o consumer_core
     same "core" "$(./consumer_core)" "$answer"
     c++ -std=c++20 "$source/tests/consumer/layers.cpp" \
-        $(pkg-config --cflags --libs snug-baselines snug-io snug-sweep snug-draw snug-atlas) -o consumer_layers
+        $(pkg-config --cflags --libs snug-baselines snug-io snug-sweep snug-drive snug-draw snug-atlas) -o consumer_layers
     ./consumer_layers
     same "version" "$(pkg-config --modversion snug)" "$("$snug" --version | cut -d' ' -f2)"
 }

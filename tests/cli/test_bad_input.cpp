@@ -147,7 +147,7 @@ TEST(BadInput, OnlyWordsThatAreNearAreSuggested) {
     suggests("entyr --car mid-size", "entry");
     suggests("slot", "min-slot");
     suggests("--verison", "--version");
-    suggests_nothing("drive-in", "write entry, min-slot, park, leave, atlas, cars or paper, or --help");
+    suggests_nothing("drive-in", "write entry, min-slot, park, leave, drive, atlas, cars or paper, or --help");
     suggests_nothing("-x", "--help");
     suggests_nothing(std::string(100'000, 'e'), "--help");
     suggests("cars vw", "vw-transporter");
@@ -170,7 +170,7 @@ TEST(BadInput, OnlyWordsThatAreNearAreSuggested) {
 }
 
 TEST(BadInput, AnOptionOfAnotherCommandIsToldAsSuch) {
-    expect_refusal(run(zoe + "--road 4"), {"\"--road\"", "belongs to snug park or snug leave"});
+    expect_refusal(run(zoe + "--road 4"), {"\"--road\"", "belongs to snug park, snug leave or snug drive"});
     expect_refusal(run("min-slot --car mid-size --width 2 --angle 90"), {"\"--angle\"", "snug park"});
     expect_refusal(run("park --car mid-size --length 6 --width 2 --min-range 0.1"), {"snug entry or snug min-slot"});
     expect_refusal(run(zoe + "--gap-curb=0.1"), {"\"--gap-curb\"", "snug leave"});
