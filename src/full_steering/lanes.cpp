@@ -266,13 +266,14 @@ public:
         if (HWY_UNLIKELY(move >= each_)) grow();
         return moves_[row * each_ + move];
     }
-    [[nodiscard]] const FullMove* row(std::size_t row) const { return &moves_[row * each_]; }
+    [[nodiscard]] const FullMove* row(std::size_t row) const { return moves_.get() + row * each_; }
 
 private:
     void grow() {
         const std::size_t more = each_ == 0 ? 32 : 2 * each_;
         std::unique_ptr<FullMove[]> grown(new FullMove[rows_ * more]);
-        for (std::size_t row = 0; row < rows_; ++row) std::copy_n(&moves_[row * each_], each_, &grown[row * more]);
+        for (std::size_t row = 0; row < rows_; ++row)
+            std::copy_n(moves_.get() + row * each_, each_, &grown[row * more]);
         moves_ = std::move(grown);
         each_ = more;
     }
