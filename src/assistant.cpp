@@ -113,7 +113,7 @@ Instruction Assistant::next(const Pose& measured, std::optional<Direction> drive
     if (!way) return short_way(measured, driven, std::numeric_limits<int>::max());
     const int changes = way->direction_changes() + (driven && *driven != way->moves.front().direction ? 1 : 0);
     if (driven && changes > 0) {
-        const Instruction farther = short_way(measured, driven, changes - 1);
+        Instruction farther = short_way(measured, driven, changes - 1);
         if (farther.what != Instruction::stuck) return farther;
     }
     return {Instruction::move, first_way(way->moves), changes};
