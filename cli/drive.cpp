@@ -146,7 +146,9 @@ std::string drive_text(const ParkQuestion& question, const DriveOptions& options
                   {"driven",
                    fixed(turned / runs, 2) + " direction changes on average, at most " + std::to_string(most) + ","},
                   {"", "in " + fixed(seconds / runs, 0) + " s on average, at most " + fixed(longest, 0) + " s"},
-                  {"bound", "no plan with this margin has fewer than " + changes(answer.lower_bound)},
+                  {"bound", answer.lower_bound == 0
+                                ? "none: without a direction change it may be possible"
+                                : "no plan with this margin has fewer than " + changes(answer.lower_bound)},
                   {"nearest", nearest < 0.0 ? "in contact" : metres(nearest) + " to anything in all runs"}},
                  "ll");
 }

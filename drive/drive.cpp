@@ -95,6 +95,14 @@ DriveAnswer drive_runs(const Car& car, const Place& place, const Pose& start, co
     check(options);
     if (nearest_distance(car, place, start) < -1e-9)
         throw Error("the car meets an obstacle where it starts; start elsewhere");
+    const std::vector<Point>& region = place.region();
+    for (std::size_t i = 0; i < region.size(); ++i) {
+        const Point &a = region[i], &b = region[(i + 1) % region.size()];
+        if ((b.x - a.x) * (start.y - a.y) - (b.y - a.y) * (start.x - a.x) < 0.0)
+            throw Error(
+                "the rear axle's middle starts outside the region; start elsewhere, or give a larger one (of a street: "
+                "--stretch)");
+    }
     if (options.margin) {
         const std::optional<Assistant> assistant = assistant_with(car, place, start, *options.margin, options);
         if (!assistant) {

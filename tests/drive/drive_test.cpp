@@ -288,7 +288,8 @@ TEST(Drive, RefusesWhatIsImpossible) {
         options.rate = bad;
         refused(options);
     }
-    refused(without_errors(), {2.0, 0.0, 0.0});  // in the front neighbour
+    refused(without_errors(), {2.0, 0.0, 0.0});     // in the front neighbour
+    refused(without_errors(), {500.0, 1.75, 0.0});  // far out of the region
 }
 
 }  // namespace
