@@ -1,7 +1,6 @@
 // snug drive: the plan of `snug park` driven many times by a car that errs and looks again.
 #include "cli/drive.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -127,30 +126,24 @@ std::string drive_text(const ParkQuestion& question, const DriveOptions& options
         return car + " has no way into the place that keeps " +
                (options.margin ? "a margin of " + metres(*options.margin) : "any margin") + ".\n";
     if (answer.runs.empty()) return "No run was finished.\n";
-    double turned = 0.0, seconds = 0.0, longest = 0.0, nearest = std::numeric_limits<double>::infinity();
-    int most = 0;
-    for (const DriveRun& run : answer.runs) {
-        turned += run.direction_changes;
-        most = std::max(most, run.direction_changes);
-        seconds += run.seconds;
-        longest = std::max(longest, run.seconds);
-        nearest = std::min(nearest, run.smallest_distance);
-    }
-    const auto runs = static_cast<double>(answer.runs.size());
+    const DriveTotals all = answer.totals();
     const double planned = answer.planned ? trajectory(*answer.planned, options.limits).seconds() : 0.0;
     return car + " parks in " + std::to_string(answer.parked()) + " of " + std::to_string(answer.runs.size()) +
            " runs" + (answer.contacts() > 0 ? ", touches something in " + std::to_string(answer.contacts()) : "") +
            ".\n\n" +
-           table({{"margin", metres(answer.margin) + (options.margin ? "" : ", the least that was found to do")},
-                  {"planned", changes(answer.planned_changes) + ", " + fixed(planned, 0) + " s"},
-                  {"driven",
-                   fixed(turned / runs, 2) + " direction changes on average, at most " + std::to_string(most) + ","},
-                  {"", "in " + fixed(seconds / runs, 0) + " s on average, at most " + fixed(longest, 0) + " s"},
-                  {"bound", answer.lower_bound == 0
-                                ? "none: without a direction change it may be possible"
-                                : "no plan with this margin has fewer than " + changes(answer.lower_bound)},
-                  {"nearest", nearest < 0.0 ? "in contact" : metres(nearest) + " to anything in all runs"}},
-                 "ll");
+           table(
+               {{"margin", metres(answer.margin) + (options.margin ? "" : ", the least that was found to do")},
+                {"planned", changes(answer.planned_changes) + ", " + fixed(planned, 0) + " s"},
+                {"driven", fixed(all.mean_changes, 2) + " direction changes on average, at most " +
+                               std::to_string(all.most_changes) + ","},
+                {"",
+                 "in " + fixed(all.mean_seconds, 0) + " s on average, at most " + fixed(all.most_seconds, 0) + " s"},
+                {"bound", answer.lower_bound == 0
+                              ? "none: without a direction change it may be possible"
+                              : "no plan with this margin has fewer than " + changes(answer.lower_bound)},
+                {"nearest", all.smallest_distance < 0.0 ? "in contact"
+                                                        : metres(all.smallest_distance) + " to anything in all runs"}},
+               "ll");
 }
 
 Action parse_drive(const Arguments& arguments) {

@@ -1,5 +1,4 @@
 // The answers of drive_runs() as JSON and CSV.
-#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -26,23 +25,14 @@ void add_answer(Json& json, const Pose& start, const DriveOptions& options, cons
     json["planned_changes"] = answer.planned_changes;
     json["lower_bound"] = answer.lower_bound;
     if (answer.runs.empty()) return;
-    double changes = 0.0, seconds = 0.0, longest = 0.0;
-    double nearest = std::numeric_limits<double>::infinity();
-    int most = 0;
-    for (const DriveRun& run : answer.runs) {
-        changes += run.direction_changes;
-        most = std::max(most, run.direction_changes);
-        seconds += run.seconds;
-        longest = std::max(longest, run.seconds);
-        nearest = std::min(nearest, run.smallest_distance);
-    }
-    const auto runs = static_cast<double>(answer.runs.size());
-    json["direction_changes"] = {{"mean", changes / runs}, {"max", most}};
+    const DriveTotals all = answer.totals();
+    json["direction_changes"] = {{"mean", all.mean_changes}, {"max", all.most_changes}};
     json["seconds"] = {{"planned", answer.planned ? trajectory(*answer.planned, options.limits).seconds() : 0.0},
-                       {"mean", seconds / runs},
-                       {"max", longest}};
+                       {"mean", all.mean_seconds},
+                       {"max", all.most_seconds}};
     json["smallest_distance"] = nullptr;  // in a place without obstacles
-    if (nearest < std::numeric_limits<double>::infinity()) json["smallest_distance"] = nearest;
+    if (all.smallest_distance < std::numeric_limits<double>::infinity())
+        json["smallest_distance"] = all.smallest_distance;
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // Drive: a plan driven many times by a simulated car that errs, looking again on the way.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -49,6 +51,16 @@ struct DriveRun {
     friend bool operator==(const DriveRun&, const DriveRun&) = default;
 };
 
+/// All runs together.
+struct DriveTotals {
+    double mean_changes = 0.0;
+    int most_changes = 0;
+    double mean_seconds = 0.0;
+    double most_seconds = 0.0;
+    double smallest_distance =
+        std::numeric_limits<double>::infinity();  ///< in a place without obstacles it stays so [m]
+};
+
 struct DriveAnswer {
     bool plannable = false;  ///< with a margin at all: else there are no runs
     bool cancelled = false;
@@ -67,6 +79,18 @@ struct DriveAnswer {
         int count = 0;
         for (const DriveRun& run : runs) count += run.contact ? 1 : 0;
         return count;
+    }
+    /// There must be a run.
+    [[nodiscard]] DriveTotals totals() const {
+        DriveTotals all;
+        for (const DriveRun& run : runs) {
+            all.mean_changes += run.direction_changes / static_cast<double>(runs.size());
+            all.most_changes = std::max(all.most_changes, run.direction_changes);
+            all.mean_seconds += run.seconds / static_cast<double>(runs.size());
+            all.most_seconds = std::max(all.most_seconds, run.seconds);
+            all.smallest_distance = std::min(all.smallest_distance, run.smallest_distance);
+        }
+        return all;
     }
 };
 
