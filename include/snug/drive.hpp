@@ -84,12 +84,14 @@ struct DriveAnswer {
     [[nodiscard]] DriveTotals totals() const {
         DriveTotals all;
         for (const DriveRun& run : runs) {
-            all.mean_changes += run.direction_changes / static_cast<double>(runs.size());
+            all.mean_changes += run.direction_changes;
             all.most_changes = std::max(all.most_changes, run.direction_changes);
-            all.mean_seconds += run.seconds / static_cast<double>(runs.size());
+            all.mean_seconds += run.seconds;
             all.most_seconds = std::max(all.most_seconds, run.seconds);
             all.smallest_distance = std::min(all.smallest_distance, run.smallest_distance);
         }
+        all.mean_changes /= static_cast<double>(runs.size());
+        all.mean_seconds /= static_cast<double>(runs.size());
         return all;
     }
 };
