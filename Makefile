@@ -12,7 +12,7 @@ build: setup
 # Solves a slot, prints the answer, writes a picture.
 demo: setup
 	cmake --preset release
-	cmake --build --preset release --parallel $(JOBS) --target snug_cli
+	cmake --build --preset release --parallel $(JOBS) --target snug_cli snug_manual
 	@mkdir -p out
 	build/release/snug entry --car mid-size --length 5.1 --width 2.2 --draw out/demo.svg
 	@echo "The picture is out/demo.svg"
@@ -38,10 +38,10 @@ bench: setup
 	cmake --build --preset release --parallel $(JOBS) --target snug_bench
 	build/release/snug_bench
 
-# A .deb: library, headers, command, manual and completions. The manual is made last, by the command itself.
+# Two .deb: library, headers, command, manual and completions; snug-mpi. The manual is made last, by the command itself.
 package: setup
 	cmake --preset release
-	cmake --build --preset release --parallel $(JOBS) --target snug_manual
+	cmake --build --preset release --parallel $(JOBS) --target snug_manual snug_mpi
 	cpack --config build/release/CPackConfig.cmake -B build/package
 
 # The Python package as a wheel: pip install --no-index --no-deps build/python/*.whl

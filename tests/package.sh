@@ -18,6 +18,10 @@ same() { # WHAT SHOWN WANTED
 
 install() {
     rm -rf "$installed"
+    mv "$build/package/snug.1" "$build/package/away"
+    ! cmake --install "$build" --prefix "$installed" &>"$build/install_errors" || fail "installs without its manual"
+    mv "$build/package/away" "$build/package/snug.1"
+    grep -q "cmake --build" "$build/install_errors" && [[ ! -e $installed ]] || fail "installs half of it"
     cmake --install "$build" --prefix "$installed" >/dev/null
     ! grep -rlI --exclude-dir=include -e "$source" -e "$build" "$installed" || fail "names a folder of the build"
 }
@@ -45,6 +49,9 @@ with_pkg_config() {
     c++ -std=c++20 "$source/tests/consumer/layers.cpp" \
         $(pkg-config --cflags --libs snug-baselines snug-io snug-sweep snug-drive snug-draw snug-atlas) -o consumer_layers
     ./consumer_layers
+    ! c++ -std=c++17 "$source/tests/consumer/core.cpp" $(pkg-config --cflags snug) -fsyntax-only 2>consumer_errors ||
+        fail "compiles as C++17"
+    grep -q "error: .*snug needs C++20" consumer_errors || fail "does not say that it needs C++20"
     same "version" "$(pkg-config --modversion snug)" "$("$snug" --version | cut -d' ' -f2)"
 }
 
@@ -117,7 +124,7 @@ END
 deb() {
     rm -rf "$build/deb"
     (cd "$build" && cpack -G DEB -B "$build/deb" >/dev/null)
-    local deb=$(ls "$build"/deb/*.deb)
+    local deb=$(ls "$build"/deb/snug_*.deb)
     dpkg-deb --info "$deb"
     for wanted in libc6 libcairo2 libsqlite3-0 libtbb12 libhwy1 libhwy-dev; do
         dpkg-deb --field "$deb" Depends | grep -q "\b$wanted\b" || fail "does not depend on $wanted"
@@ -127,6 +134,11 @@ deb() {
     same "files" "$(dpkg-deb --contents "$deb" | sed -n 's,^-.* \./usr/,,p' | sed 's,vendor-completions,site-functions,' |
         sort)" "$(cd "$installed" && find . -type f | cut -c3- | grep -vx bin/snug-mpi | sort)"
     ! dpkg-deb --contents "$deb" | grep -v ' root/root ' || fail "is not all root's"
+    if [[ -e $build/snug-mpi ]]; then
+        deb=$(ls "$build"/deb/snug-mpi_*.deb)
+        dpkg-deb --contents "$deb" | grep -q ' ./usr/bin/snug-mpi$' || fail "has no snug-mpi"
+        dpkg-deb --field "$deb" Depends | grep -q "openmpi-bin" || fail "does not depend on Open MPI"
+    fi
 }
 
 $check

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "snug/version.hpp"
+
 namespace snug {
 
 /// How the car goes into the slot: tail first, or nose first (solved as the mirrored slot and the car turned about).

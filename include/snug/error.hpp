@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "snug/version.hpp"
+
 namespace snug {
 
 /// Thrown when a value cannot exist: an impossible car, slot or option. The message is one sentence that names the

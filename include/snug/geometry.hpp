@@ -1,6 +1,8 @@
 // Points and poses: the plain data every other header builds on.
 #pragma once
 
+#include "snug/version.hpp"
+
 namespace snug {
 
 /// A point in the plane. [m]

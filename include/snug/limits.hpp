@@ -3,6 +3,8 @@
 
 #include <numbers>
 
+#include "snug/version.hpp"
+
 namespace snug::limits {
 
 inline constexpr double shortest = 1e-6;  ///< of a car or a slot: the least length and width [m]

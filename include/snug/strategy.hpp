@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "snug/version.hpp"
+
 namespace snug {
 
 enum class Strategy {
