@@ -173,8 +173,7 @@ struct Files {
           picture(picture_file(asked.draw, asked.output)),
           view(asked.view.value_or(View::maneuver)),
           path(asked.output.path()) {
-        if (asked.view && !asked.draw)
-            throw Error(asked.view.name() + " belongs to --draw; leave it out or give --draw FILE");
+        refuse_without(asked.draw, asked.view);
     }
 
     void write(const EntryQuestion& question, const Answer& answer, const std::string& text) const {

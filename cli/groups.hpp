@@ -146,6 +146,13 @@ struct OutputOptions {
 /// Throws Error when an option names the file of `-o`, too.
 void refuse_same_file(const Option<std::string>& one, const Option<std::string>& other);
 
+/// Throws Error when an option is given without the file it says something about.
+template <class T>
+void refuse_without(const Option<std::string>& file, const Option<T>& option) {
+    if (option && !file)
+        throw Error(option.name() + " belongs to " + file.name() + "; leave it out or give " + file.name() + " FILE");
+}
+
 /// A picture that is to be written.
 struct PictureFile {
     std::string path;

@@ -116,8 +116,7 @@ Action parse_park(const Arguments& arguments) {
     ParkQuestion whole = asked.where.question();
     asked.search.limit(whole.options);
     ParkFiles files = asked.files.files(asked.files.output.format());
-    if (asked.view && !files.picture)
-        throw Error(asked.view.name() + " belongs to --draw; leave it out or give --draw FILE");
+    refuse_without(asked.files.draw, asked.view);
     files.view = asked.view.value_or(files.view);
     return park_action(whole, files);
 }

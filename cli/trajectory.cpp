@@ -28,13 +28,10 @@ TrajectoryOptions::TrajectoryOptions(Options& options)
 
 std::optional<TrajectoryFile> trajectory_file(const TrajectoryOptions& options, const Option<std::string>& waypoints,
                                               const Option<std::string>& draw, const Option<std::string>& output) {
-    if (!options.file) {
-        for (const Option<double>* belongs :
-             {&options.period, &options.speed, &options.acceleration, &options.deceleration, &options.steering_rate})
-            if (*belongs)
-                throw Error(belongs->name() + " belongs to --trajectory; leave it out or give --trajectory FILE");
-        return std::nullopt;
-    }
+    for (const Option<double>* of_it :
+         {&options.period, &options.speed, &options.acceleration, &options.deceleration, &options.steering_rate})
+        refuse_without(options.file, *of_it);
+    if (!options.file) return std::nullopt;
     TrajectoryFile file;
     file.path = *options.file;
     if (ends_with(file.path, ".json"))

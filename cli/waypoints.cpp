@@ -24,11 +24,8 @@ WaypointsOptions::WaypointsOptions(Options& options)
 
 std::optional<WaypointsFile> waypoints_file(const WaypointsOptions& options, const Option<std::string>& draw,
                                             const Option<std::string>& output) {
-    if (!options.file) {
-        if (options.spacing)
-            throw Error(options.spacing.name() + " belongs to --waypoints; leave it out or give --waypoints FILE");
-        return std::nullopt;
-    }
+    refuse_without(options.file, options.spacing);
+    if (!options.file) return std::nullopt;
     const std::string& path = *options.file;
     const WaypointsFile file = {path, ends_with(path, ".json"), options.spacing.value_or(usual_spacing)};
     if (!file.json && !ends_with(path, ".csv"))

@@ -67,14 +67,7 @@ View view_of(const MapPicture& picture) {
     const double around = 0.1 * picture.map.car().length();
     Box seen = joined(region_of(picture), box_of(picture.map.car(), picture.frame, picture.start));
     seen = {seen.x_min - around, seen.x_max + around, seen.y_min - around, seen.y_max + around};
-    const Panel panel = {{margin, header_height}, page_width - 2 * margin, 640.0};
-    View view;
-    view.turned = picture.frame.side() == Side::left;
-    view.top_left = panel.top_left;
-    view.scale = std::min(panel.width / (seen.x_max - seen.x_min), panel.max_height / (seen.y_max - seen.y_min));
-    const double spare = panel.width / view.scale - (seen.x_max - seen.x_min);
-    view.seen = {seen.x_min - spare / 2, seen.x_max + spare / 2, seen.y_min, seen.y_max};
-    return view;
+    return fitted(picture.frame, seen, {{margin, header_height}, page_width - 2 * margin, 640.0});
 }
 
 /// The fields of one row of the picture that show the same, from and to in the frame.

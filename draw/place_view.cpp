@@ -51,14 +51,7 @@ View view_of(const Picture& picture) {
     const double around = 0.25 * picture.car.length();
     Box seen = needed(picture);
     seen = {seen.x_min - around, seen.x_max + around, seen.y_min - around, seen.y_max + around};
-    const Panel panel = {{margin, header_height}, page_width - 2 * margin, 600.0};
-    View view;
-    view.turned = picture.frame.side() == Side::left;
-    view.top_left = panel.top_left;
-    view.scale = std::min(panel.width / (seen.x_max - seen.x_min), panel.max_height / (seen.y_max - seen.y_min));
-    const double spare = panel.width / view.scale - (seen.x_max - seen.x_min);
-    view.seen = {seen.x_min - spare / 2, seen.x_max + spare / 2, seen.y_min, seen.y_max};
-    return view;
+    return fitted(picture.frame, seen, {{margin, header_height}, page_width - 2 * margin, 600.0});
 }
 
 /// Rear axles of a car that errs: of many runs, as many as can be told apart.

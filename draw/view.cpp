@@ -40,15 +40,7 @@ Box View::page() const {
             top_left.y + (seen.y_max - seen.y_min) * scale};
 }
 
-View view_of(const Car& car, const Slot& slot, const Box& needed, const Panel& panel) {
-    const double length = car.length();
-    const double around = 2.5 * length;
-    Box seen;
-    seen.x_min = std::max(std::min(-slot.length(), needed.x_min) - length / 2, needed.x_min - around);
-    seen.x_max = std::min(std::max(0.0, needed.x_max) + length / 2, needed.x_max + around);
-    seen.y_min = std::max(std::min(-slot.width(), needed.y_min), needed.y_min - length);
-    seen.y_max = std::max(needed.y_max, std::min(0.6 * car.width(), needed.y_min + 2.0 * length));
-
+View fitted(const Slot& slot, const Box& seen, const Panel& panel, double above, double below) {
     View view;
     view.turned = slot.side() == Side::left;
     view.top_left = panel.top_left;
@@ -58,6 +50,18 @@ View view_of(const Car& car, const Slot& slot, const Box& needed, const Panel& p
     view.seen = {seen.x_min - spare / 2, seen.x_max + spare / 2, seen.y_min - below / view.scale,
                  seen.y_max + above / view.scale};
     return view;
+}
+
+View view_of(const Car& car, const Slot& slot, const Box& needed, const Panel& panel) {
+    const double length = car.length();
+    const double around = 2.5 * length;
+    Box seen;
+    seen.x_min = std::max(std::min(-slot.length(), needed.x_min) - length / 2, needed.x_min - around);
+    seen.x_max = std::min(std::max(0.0, needed.x_max) + length / 2, needed.x_max + around);
+    seen.y_min = std::max(std::min(-slot.width(), needed.y_min), needed.y_min - length);
+    seen.y_max = std::max(needed.y_max, std::min(0.6 * car.width(), needed.y_min + 2.0 * length));
+
+    return fitted(slot, seen, panel, above, below);
 }
 
 Point on_page(const View& view, const Slot& slot, const Pose& pose, const Point& in_car) {

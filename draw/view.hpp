@@ -31,6 +31,10 @@ struct Panel {
     double max_height = 0.0;
 };
 
+/// The box of the slot frame [m] as large as the panel allows, over its whole width; points on the page above and below are
+/// kept free.
+View fitted(const Slot& slot, const Box& seen, const Panel& panel, double above = 0.0, double below = 0.0);
+
 /// A view for a car that needs the given box of the slot frame [m]: with half a car beside the slot and space for the
 /// dimensions below the curb. Of slots far larger than the car only the part around the car is seen.
 View view_of(const Car& car, const Slot& slot, const Box& needed, const Panel& panel);
