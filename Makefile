@@ -1,5 +1,5 @@
 # A thin front: every target sets itself up, then CMake's presets do the work.
-.PHONY: build python demo test soak bench package peers pictures docs web web-page web-test format clean setup check-format check-tidy
+.PHONY: build python demo test fuzz soak bench package peers pictures docs web web-page web-test format clean setup check-format check-tidy
 .NOTPARALLEL:
 
 JOBS := $(shell nproc)
@@ -32,6 +32,15 @@ test: check-format check-tidy build
 # The random checks with their full number.
 soak: build
 	ctest --preset soak --parallel $(JOBS)
+	$(MAKE) fuzz RUNS=5000000
+
+# Readers and solver fed by libFuzzer, in a build by clang.
+RUNS := 20000
+fuzz: setup
+	cmake --preset fuzz
+	cmake --build --preset fuzz --parallel $(JOBS)
+	build/fuzz/fuzz -runs=$(RUNS) -seed=1 -max_len=2000 -dict=tests/fuzz/words.txt -print_final_stats=1 \
+	    -artifact_prefix=build/fuzz/
 
 bench: setup
 	cmake --preset release
