@@ -13,28 +13,27 @@ Outcome Driver::look(Box& box, int limit) {
     return outcome;
 }
 
-namespace {
-
-Outcome nothing_in(int move) {
-    Outcome outcome;
-    outcome.move = move;
-    return outcome;
-}
-
-}  // namespace
-
 Outcome Driver::follow(int n) {
+    const int start = n;
     for (; n <= limit_; ++n) {
         const std::size_t at = static_cast<std::size_t>(n);
         Outcome outcome;
         outcome.move = n;
-        if (n > 0 && n % 4 == 0 && mover_.jams(trail_[at])) return outcome;
+        if ((n == start || n % 4 == 0) && jams(n, outcome)) return outcome;
         const After after = mover_.move(trail_[at], trail_[at + 1], outcome);
         if (after == After::moved) continue;
-        if (outcome.what == Outcome::undecided && n > 0 && mover_.jams(trail_[at])) return nothing_in(n);
+        if (outcome.what == Outcome::undecided && jams(n, outcome)) return outcome;
         return after == After::grazed ? both_ways(outcome) : outcome;
     }
     return {Outcome::none, limit_, true, {}};
+}
+
+/// Do none of the cars park in the moves from n to the limit, because they jam?
+bool Driver::jams(int n, Outcome& outcome) const {
+    const Jammed jammed = mover_.jams(before(n), limit_ - n + 1);
+    if (jammed == Jammed::no) return false;
+    outcome = {Outcome::none, n - 1, jammed == Jammed::for_now, {}};
+    return true;
 }
 
 /// Where it cannot be told whether the lowest corner grazes the curb: first as if it passed, then as if it met it. If
@@ -56,6 +55,7 @@ Outcome Driver::both_ways(const Outcome& fork) {
         } else if (outcome.what != common.what || (outcome.what == Outcome::parks && outcome.move != common.move)) {
             return fork;
         }
+        common.goes_on = common.goes_on || outcome.goes_on;
     }
     return common;
 }

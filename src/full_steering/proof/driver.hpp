@@ -26,6 +26,7 @@ public:
 private:
     Outcome follow(int n);
     Outcome both_ways(const Outcome& fork);
+    bool jams(int n, Outcome& outcome) const;
 
     static constexpr int most_forks = 8;  ///< in a box
     Mover mover_;

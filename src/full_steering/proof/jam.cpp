@@ -1,147 +1,189 @@
 #include "full_steering/proof/jam.hpp"
 
+#include "model/angles.hpp"
+
 namespace snug::detail::proof {
 
 namespace {
 
-/// Where the cars are, but for how far any of them is from the one in the middle.
+/// Where the cars are, and where they may come to be with a turn of at most `turn`.
 struct Cars {
-    double left_x, left_y;    ///< turning centre backward
+    double left_x, left_y;    ///< turning centre backward, of the car in the middle
     double right_x, right_y;  ///< and forward
-    double c, s, angle;
-    double apart;  ///< of the rear axle's middles, |x| + |y|
-    double wide;   ///< of the headings
+    double radius;
+    double apart;        ///< of the rear axle's middles now, |x| + |y|, from that of the car in the middle
+    double most, least;  ///< headings, all the time
+    double turn;
+    std::array<Point, 2> ends;  ///< cosine and sine of the two
+
+    /// How far a sinusoid of the heading can be from its chord.
+    [[nodiscard]] double bent(double reach) const { return reach * (0.125 * (most - least) * (most - least) + 1e-12); }
 };
 
-/// A condition of an obstacle, and its rates with the turn of the car.
+struct Range {
+    double least, most;
+};
+
+/// What a condition lacks now, at most, and how that changes with the turn.
 struct Rates {
-    bool is_edge = false;
-    double lacks = 0.0;     ///< at most [m]
-    double backward = 0.0;  ///< what it lacks more for every radian
-    double forward = 0.0;
-    double reach = 0.0;
-
-    /// How much the rates may change while the cars turn by so much.
-    [[nodiscard]] double unsure(const Cars& cars, double turn, double radius) const {
-        return reach * (cars.wide + turn) + (is_edge ? cars.apart + 2.0 * radius * turn : 0.0) + 1e-12 * reach;
-    }
-    [[nodiscard]] bool comes_to_hold() const { return backward < 0.0 && forward < 0.0; }
+    double lacks = 0.0;
+    Range backward{}, forward{};
+    [[nodiscard]] bool comes_to_hold() const { return backward.most < 0.0 && forward.most < 0.0; }
 };
+
+Range rate(const Condition& of, const Crossing<double>& crossing, const Cars& cars) {
+    const double one = crossing.b * cars.ends[0].x - crossing.a * cars.ends[0].y;
+    const double other = crossing.b * cars.ends[1].x - crossing.a * cars.ends[1].y;
+    double unsure = cars.bent(std::abs(crossing.a) + std::abs(crossing.b)) + of.error;
+    // That of an edge depends on where the centre is: the axle moves by no more than the turn times the radius.
+    if (of.kind == Condition::inside) unsure += cars.apart + 4.0 * cars.radius * (cars.turn + (cars.most - cars.least));
+    return {std::min(one, other) - unsure, std::max(one, other) + unsure};
+}
 
 /// What blocks one way.
 struct Blocker {
     bool usable = false;
-    Rates last;              ///< the condition that blocks
-    bool has_other = false;  ///< one more that may not hold yet
-    Rates other;
-    double holds_by = infinity;  ///< the rest, at least: no smaller turn can end them
-    double until = 0.0;          ///< the stage's end
-
-    /// After so much turning it blocks.
-    [[nodiscard]] double blocks_after(const Cars& cars, double turn, double radius) const {
-        if (!has_other) return 0.0;
-        const double rate = -std::max(other.backward, other.forward) - other.unsure(cars, turn, radius);
-        return rate > 0.0 ? other.lacks / rate * (1.0 + 1e-12) : infinity;
-    }
+    Rates last;                 ///< the condition that blocks
+    double blocks_after = 0.0;  ///< so much turning, when the other one has come to hold
 };
 
-Blocker blocker_of(const State& state, const Obstacle& backward, const Obstacle& forward, const Cars& cars,
-                   double radius) {
-    Blocker blocker;
-    std::size_t index = 0;
+Blocker blocker_of(const State& state, const Obstacle& backward, const Obstacle& forward, const Cars& cars) {
     const std::vector<Stage>& stages = backward.stages;
-    if (!(cars.angle < stages[0].angle)) return blocker;
-    while (index + 1 < stages.size() && cars.angle <= stages[index + 1].angle) ++index;
-    if (index + 1 == stages.size()) return blocker;
+    std::size_t index = 0;
+    while (index + 1 < stages.size() && cars.most <= stages[index + 1].angle + angle_error) ++index;
+    if (index + 1 == stages.size()) return {};
     const Stage& stage = stages[index];
-    if (!(cars.angle + cars.wide + angle_error < stage.angle)) return blocker;
-    blocker.until = stages[index + 1].angle + angle_error;
+    if (!(cars.most + angle_error < stage.angle && cars.least - angle_error > stages[index + 1].angle)) return {};
+    Blocker blocker;
+    bool has_other = false;
+    Rates other;
     for (std::size_t i = stage.first; i < stage.last; ++i) {
-        const Condition& of = backward.conditions[i];
-        const Crossing<double> one = crossing_of(of, cars.left_x, cars.left_y);
-        const Crossing<double> other = crossing_of(forward.conditions[i], cars.right_x, cars.right_y);
+        const Condition& seen_left = backward.conditions[i];
+        const Condition& seen_right = forward.conditions[i];
+        const Crossing<double> from_left = crossing_of(seen_left, cars.left_x, cars.left_y);
+        const Crossing<double> from_right = crossing_of(seen_right, cars.right_x, cars.right_y);
+        const Rough now(state.backward ? seen_left : seen_right, state.backward ? from_left : from_right, state,
+                        state.start);
         Rates rates;
-        rates.reach = std::max(std::abs(one.a) + std::abs(one.b), std::abs(other.a) + std::abs(other.b)) + 2.0 * radius;
-        const Rough now(state.backward ? of : forward.conditions[i], state.backward ? one : other, state, state.start);
-        const double value = now.value;
-        const double error = now.value_error;
-        if (value > error) {
-            blocker.holds_by = std::min(blocker.holds_by, (value - error) / (2.0 * radius + rates.reach));
-            continue;
-        }
-        rates.is_edge = of.kind == Condition::inside;
-        rates.lacks = std::max(error - value, 0.0);
-        rates.backward = one.b * cars.c - one.a * cars.s;
-        rates.forward = other.b * cars.c - other.a * cars.s;
+        rates.backward = rate(seen_left, from_left, cars);
+        rates.forward = rate(seen_right, from_right, cars);
+        rates.lacks = std::max(now.value_error - now.value, 0.0);
+        if (now.value - now.value_error > cars.turn * std::max(rates.backward.most, rates.forward.most) && now.holds())
+            continue;  // and goes on holding
         if (!blocker.usable) {
             blocker.usable = true;
             blocker.last = rates;
             continue;
         }
-        if (blocker.has_other || !(blocker.last.comes_to_hold() || rates.comes_to_hold())) return {};
-        blocker.has_other = true;
-        blocker.other = rates;
-        if (!rates.comes_to_hold()) std::swap(blocker.last, blocker.other);
+        if (has_other) return {};
+        has_other = true;
+        other = rates;
     }
+    if (!has_other) return blocker;
+    if (!other.comes_to_hold()) std::swap(other, blocker.last);
+    if (!other.comes_to_hold()) return {};
+    blocker.blocks_after = other.lacks / -std::max(other.backward.most, other.forward.most) * (1.0 + 1e-12);
     return blocker;
 }
 
-/// No more than this can all turning to come be, if it is less than `turn`: infinite where nothing is known.
-double turning(const Blocker& behind, const Blocker& ahead, const Cars& cars, double turn, double radius) {
-    const double behind_unsure = behind.last.unsure(cars, turn, radius);
-    const double ahead_unsure = ahead.last.unsure(cars, turn, radius);
-    const double uses_behind = -behind.last.backward - behind_unsure;
-    const double uses_ahead = -ahead.last.forward - ahead_unsure;
-    if (!(uses_behind > 0.0 && uses_ahead > 0.0)) return infinity;
-    const double k = std::max(ahead.last.backward + ahead_unsure, 1e-3 * uses_ahead) / uses_ahead;
-    const double m = std::max(behind.last.forward + behind_unsure, 1e-3 * uses_behind) / uses_behind;
-    const double both = k * m * (1.0 + 1e-12);
-    if (!(both < 0.99)) return infinity;
-    const double weight = std::sqrt(m / k);
+/// At most so much turning is to come in `moves` moves, or in any number: if it is less than the turn the rates are for.
+struct Turning {
+    double soon, ever;
+};
+Turning turning(const Blocker& behind, const Blocker& ahead, double enough, bool backward_first, int moves) {
+    const double uses_behind = -behind.last.backward.most;
+    const double uses_ahead = -ahead.last.forward.most;
+    if (!(uses_behind > 0.0 && uses_ahead > 0.0)) return {infinity, infinity};
+    const double k = std::max(ahead.last.backward.most, 1e-3 * uses_ahead) / uses_ahead * (1.0 + 1e-12);
+    const double m = std::max(behind.last.forward.most, 1e-3 * uses_behind) / uses_behind * (1.0 + 1e-12);
     // What they lack when both block.
-    const double free = std::max(behind.blocks_after(cars, turn, radius), ahead.blocks_after(cars, turn, radius));
-    const double behind_lacks = behind.last.lacks + free * (behind.last.reach + radius);
-    const double ahead_lacks = ahead.last.lacks + free * (ahead.last.reach + radius);
-    const double potential = behind_lacks / uses_behind + weight * ahead_lacks / uses_ahead;
-    return (free + potential * std::max(1.0, 1.0 / weight) / (1.0 - std::sqrt(both))) * (1.0 + 1e-12);
+    const double free = std::max(behind.blocks_after, ahead.blocks_after);
+    const auto lacks = [&](const Rates& rates) {
+        const double fastest = std::max({std::abs(rates.backward.least), std::abs(rates.backward.most),
+                                         std::abs(rates.forward.least), std::abs(rates.forward.most)});
+        return rates.lacks + free * fastest;
+    };
+    const double p = lacks(behind.last) / uses_behind;
+    const double q = lacks(ahead.last) / uses_ahead;
+    Turning most{free, infinity};
+    double back = p;
+    double forth = q;
+    bool backward = backward_first;
+    if (free > 0.0) ++moves;  // so that either way may come first
+    for (int i = 0; i < moves && most.soon < enough; ++i, backward = !backward) {
+        double& used = backward ? back : forth;
+        most.soon += used;
+        (backward ? forth : back) += used * (backward ? k : m);
+        used = 0.0;
+    }
+    most.soon *= 1.0 + 1e-12;
+    if (k * m < 0.99) {
+        const double weight = std::sqrt(m / k);
+        const double all = (p + weight * q) * std::max(1.0, 1.0 / weight) / (1.0 - std::sqrt(k * m));
+        most.ever = (free + all) * (1.0 + 1e-12);
+    }
+    return most;
 }
 
 }  // namespace
 
-bool Jam::jams(const State& state, const Steering& backward, const Steering& forward) const {
-    Cars cars{};
-    cars.c = state.start.c;
-    cars.s = state.start.s;
-    cars.angle = state.start.angle;
-    cars.wide = state.start.off.size();
-    cars.apart = state.x.span() + state.y.span() + 2.0 * radius_ * cars.wide;
+Jam::Jam(const ProofProblem& problem)
+    : frame_(problem.frame), radius_(problem.radius), size_(size_of(frame_)), least_(steepest_parked(problem, true)) {}
+
+Jammed Jam::jams(const State& state, const Steering& backward, const Steering& forward, int moves) const {
+    const double c = state.start.c;
+    const double s = state.start.s;
+    const double wide = state.start.off.size();
     const double across = state.backward ? backward.across : forward.across;
-    const double other_x = state.x.mid + across * cars.s;
-    const double other_y = state.y.mid - across * cars.c;
+    const double other_x = state.x.mid + across * s;
+    const double other_y = state.y.mid - across * c;
+    Cars cars{};
+    cars.radius = radius_;
+    cars.apart = state.x.span() + state.y.span() + 2.0 * radius_ * wide;
     cars.left_x = state.backward ? state.x.mid : other_x;
     cars.left_y = state.backward ? state.y.mid : other_y;
     cars.right_x = state.backward ? other_x : state.x.mid;
     cars.right_y = state.backward ? other_y : state.y.mid;
-    // By how much it is not parked, in headings: no point moves by more than this for every radian.
+    // How far it is from being parked, in headings: no point moves by more than this for every radian.
     const double speed = 2.0 * radius_ + size_;
     double height = -infinity;
-    for (const Point& corner : frame_) height = std::max(height, corner.x * cars.s + (corner.y - radius_) * cars.c);
-    const double far = (cars.left_y + height - cars.apart - speed * cars.wide) / speed - 1e-12;
-    if (!(far > 0.0)) return false;
-    std::array<Blocker, 3> blockers;
-    for (const Met met : {front, rear, curb})
-        blockers[met] = blocker_of(state, backward.of[met], forward.of[met], cars, radius_);
-    for (const Blocker& behind : blockers) {
-        if (!behind.usable || !(behind.last.backward < 0.0)) continue;
-        for (const Blocker& ahead : blockers) {
-            if (!ahead.usable || &ahead == &behind || !(ahead.last.forward < 0.0)) continue;
-            const double turn = 2.0 * turning(behind, ahead, cars, 0.0, radius_) + 1e-15;
-            if (!(turn < std::min({far, behind.holds_by, ahead.holds_by}))) continue;
-            if (!(cars.angle - cars.wide - turn > std::max(behind.until, ahead.until))) continue;
-            if (turning(behind, ahead, cars, turn, radius_) < turn) return true;
+    for (const Point& corner : frame_) height = std::max(height, corner.x * s + (corner.y - radius_) * c);
+    const double far =
+        std::max((cars.left_y + height - cars.apart - speed * wide) / speed, state.start.angle - wide - least_) - 1e-12;
+    if (!(far > 0.0)) return Jammed::no;
+    cars.most = state.start.angle + wide + angle_error;
+    const auto try_turn = [&](double turn) {
+        cars.turn = turn;
+        cars.least = state.start.angle - wide - turn - angle_error;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto [sine, cosine] = angles::sine_cosine(i == 0 ? cars.most : cars.least);
+            cars.ends[i] = {cosine, sine};
         }
+        std::array<Blocker, 3> blockers;
+        for (const Met met : {front, rear, curb})
+            blockers[met] = blocker_of(state, backward.of[met], forward.of[met], cars);
+        Turning least{infinity, infinity};
+        for (const Blocker& behind : blockers) {
+            if (!behind.usable) continue;
+            for (const Blocker& ahead : blockers) {
+                if (!ahead.usable || &ahead == &behind) continue;
+                const Turning found = turning(behind, ahead, far, state.backward, moves);
+                least.soon = std::min(least.soon, found.soon);
+                least.ever = std::min(least.ever, found.ever);
+            }
+        }
+        return least;
+    };
+    double turn = 1e-15;
+    for (int i = 0; i < 3; ++i) {
+        const Turning most = try_turn(turn);
+        if (most.ever < turn) return Jammed::for_good;
+        if (most.soon < turn) return Jammed::for_now;
+        const double next = 1.3 * std::min(most.ever < far ? most.ever : infinity, most.soon) + 1e-15;
+        if (!(next < far)) return Jammed::no;
+        turn = next;
     }
-    return false;
+    return Jammed::no;
 }
 
 }  // namespace snug::detail::proof

@@ -34,8 +34,10 @@ public:
     After move(const State& state, State& then, Outcome& outcome, const Failure* graze = nullptr,
                bool meets_curb = false);
 
-    /// Do these cars never come to be parked? Told only before a move that is not the first.
-    [[nodiscard]] bool jams(const State& state) const { return jam_.jams(state, backward_, forward_); }
+    /// See Jam.
+    [[nodiscard]] Jammed jams(const State& state, int moves) const {
+        return jam_.jams(state, backward_, forward_, moves);
+    }
 
     [[nodiscard]] std::size_t moves() const { return moves_; }  ///< driven in all
     [[nodiscard]] bool doubtful() const { return doubtful_; }   ///< the box may be no entry position

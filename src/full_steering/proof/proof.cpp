@@ -97,7 +97,7 @@ private:
             const Outcome outcome = driver_.look(box, limit_);
             switch (outcome.what) {
                 case Outcome::none:
-                    if (outcome.goes_on && limit_ < asked_ && find_ != Find::all) keep(box);
+                    if (outcome.goes_on && limit_ < asked_ && find_ != Find::all) keep(box, outcome.move + 1);
                     break;
                 case Outcome::parks:
                     if (find_ != Find::all) limit_ = std::min(limit_, outcome.move);
@@ -115,12 +115,12 @@ private:
     }
 
     /// For when more moves are allowed.
-    void keep(const Box& box) {
+    void keep(const Box& box, int driven) {
         Box& kept = later_.emplace_back(box);
         if (kept.doubtful) {
             kept.driven = 0;
         } else if (!driver_.forked()) {
-            kept.driven = limit_ + 1;
+            kept.driven = driven;
             kept.state = driver_.before(kept.driven);
         }
     }
@@ -174,9 +174,9 @@ private:
 
 }  // namespace
 
-double steepest_parked(const ProofProblem& problem) {
+double steepest_parked(const ProofProblem& problem, bool above) {
     const auto height = [&](double heading) {
-        const auto [s, c] = angles::sine_cosine(heading);
+        const auto [s, c] = angles::sine_cosine(above ? heading : -heading);
         double low = infinity, high = -infinity;
         for (const Point& corner : problem.at_curb) low = std::min(low, corner.x * s + corner.y * c);
         for (const Point& corner : problem.frame) high = std::max(high, corner.x * s + corner.y * c);
@@ -188,7 +188,7 @@ double steepest_parked(const ProofProblem& problem) {
     // The height changes by less than the sizes per radian: steps that cannot miss a fit.
     const double speed = 2.0 * size;
     while (steepest > 0.0) {
-        const double over = height(-steepest) - problem.width;
+        const double over = height(steepest) - problem.width;
         if (over <= slack) break;
         steepest -= std::max(over / speed, 1e-12);
     }

@@ -57,9 +57,9 @@ struct ProofHints {
 ProvedRanges prove_ranges(const ProofProblem& problem, int max_changes, Find find, const ProofHints& hints = {},
                           const Progress& progress = {}, std::size_t most_moves = 20'000'000);
 
-/// How far below parallel a car can be parked, at most: the frame fits between entry side and curb, or parked_heading.
-/// Headings only fall, so a car that comes to rest steeper than this parks no more. [rad]
-double steepest_parked(const ProofProblem& problem);
+/// How far below parallel, or above, a car can be parked, at most: where the frame fits between entry side and curb, up to
+/// parked_heading. Headings only fall, so a car that comes to rest steeper below than this parks no more. [rad]
+double steepest_parked(const ProofProblem& problem, bool above = false);
 
 /// In the entering frame (contact/entering.hpp).
 ProofProblem proof_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked);
