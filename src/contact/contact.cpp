@@ -157,7 +157,7 @@ struct Turning {
           x(centre_x),
           y(centre_y),
           start(in_quarters(move.start.heading)) {
-        frame.see(move.problem, shape, start.quarter);
+        frame.see(shape, start.quarter);
     }
 };
 
@@ -182,7 +182,7 @@ TurnMet first_met_turning(const PlainMove& move, Turning& turn) {
         if (++index == frame.per_quarter) {
             index = 0;
             now = {0.0, 1.0, now.quarter + 1};
-            frame.see(move.problem, turn.shape, now.quarter);
+            frame.see(turn.shape, now.quarter);
         } else {
             now = {sector.end_c, sector.end_s, now.quarter};
         }
