@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "contact/edge.hpp"
 #include "contact/parking.hpp"
 #include "contact/turning.hpp"
 #include "model/angles.hpp"
@@ -43,10 +44,7 @@ const Point& next_corner(const Outline& outline, int index) {
 }
 
 Point outward_normal(const Outline& outline, int edge) {
-    const Point& from = corner_of(outline, edge);
-    const Point& to = next_corner(outline, edge);
-    const double length = angles::hypot(to.x - from.x, to.y - from.y);
-    return {(to.y - from.y) / length, (from.x - to.x) / length};
+    return outward(direction(corner_of(outline, edge), next_corner(outline, edge)));
 }
 
 /// An outline in the frame of the move, with the heading's direction.

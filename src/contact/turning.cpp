@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "contact/edge.hpp"
+
 namespace snug::detail {
 
 namespace {
@@ -93,11 +95,7 @@ Few<Point, 4> directions(const Outline& body) {
     Few<Point, 4> ways;
     ways.resize(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point& next = corners[i + 1 == corners.size() ? 0 : i + 1];
-        const double x = next.x - corners[i].x;
-        const double y = next.y - corners[i].y;
-        const double length = x == 0.0 ? std::abs(y) : y == 0.0 ? std::abs(x) : angles::hypot(x, y);
-        ways[i] = {x / length, y / length};
+        ways[i] = direction(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
     }
     return ways;
 }
@@ -127,7 +125,7 @@ Few<TurningEdge, 8> seen_edges(const Few<TurningCorner, 12>& corners, const Few<
         edge.nearest_square = (near * near + square) * (1.0 - 1e-12);
         edge.farthest_square = edge.to > 0.0 ? (far * far + square) * (1.0 + 1e-12) : -1.0;
         for (int quarter = 0; quarter < 4; ++quarter)
-            edge.normal[static_cast<std::size_t>(quarter)] = turned(Point{way.y, -way.x}, quarter);
+            edge.normal[static_cast<std::size_t>(quarter)] = turned(outward(way), quarter);
     }
     for (std::size_t i = 0; i < count; ++i) edges[count + i] = edges[i];
     return edges;
