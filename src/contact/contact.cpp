@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "contact/edge.hpp"
 #include "contact/parking.hpp"
 #include "contact/turning.hpp"
 #include "model/angles.hpp"
@@ -43,10 +44,7 @@ const Point& next_corner(const Outline& outline, int index) {
 }
 
 Point outward_normal(const Outline& outline, int edge) {
-    const Point& from = corner_of(outline, edge);
-    const Point& to = next_corner(outline, edge);
-    const double length = angles::hypot(to.x - from.x, to.y - from.y);
-    return {(to.y - from.y) / length, (from.x - to.x) / length};
+    return outward(direction(corner_of(outline, edge), next_corner(outline, edge)));
 }
 
 /// An outline in the frame of the move, with the heading's direction.
@@ -157,7 +155,7 @@ struct Turning {
           x(centre_x),
           y(centre_y),
           start(in_quarters(move.start.heading)) {
-        frame.see(move.problem, shape, start.quarter);
+        frame.see(shape, start.quarter);
     }
 };
 
@@ -182,7 +180,7 @@ TurnMet first_met_turning(const PlainMove& move, Turning& turn) {
         if (++index == frame.per_quarter) {
             index = 0;
             now = {0.0, 1.0, now.quarter + 1};
-            frame.see(move.problem, turn.shape, now.quarter);
+            frame.see(turn.shape, now.quarter);
         } else {
             now = {sector.end_c, sector.end_s, now.quarter};
         }

@@ -6,16 +6,12 @@
 #include <limits>
 
 #include "contact/crossing.hpp"
+#include "contact/edge.hpp"
 #include "model/angles.hpp"
 
 namespace snug::detail {
 
 namespace {
-
-Point outward_normal(const Point& from, const Point& to) {
-    const double length = angles::hypot(to.x - from.x, to.y - from.y);
-    return {(to.y - from.y) / length, (from.x - to.x) / length};
-}
 
 /// Of the rear neighbour, seen from the front one's corner.
 Point rear_corner(const Problem& problem) { return {-problem.length, problem.front_setback - problem.rear_setback}; }
@@ -49,7 +45,7 @@ EntryShape::EntryShape(const Problem& problem) : corner(entry_corner(problem)) {
     const std::vector<Point>& corners = problem.body.corners();
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Point& next = corners[(i + 1) % corners.size()];
-        edges.push_back({{corners[i].x - corner.x, corners[i].y - corner.y}, outward_normal(corners[i], next)});
+        edges.push_back({{corners[i].x - corner.x, corners[i].y - corner.y}, outward(direction(corners[i], next))});
         if (next == corner) before = edges.back().normal;
         if (corners[i] == corner) after = edges.back().normal;
     }
@@ -81,6 +77,16 @@ double EntryShape::clears(const Problem& problem, double c, double s) const {
         apart = std::max(apart, normal.x * (rear.x - x) + normal.y * (rear.y - y));
     }
     return std::min(least, std::max({apart, left - rear.x, low - rear.y}));
+}
+
+bool is_possible(const Problem& problem, const EntryShape& shape, double heading, double c, double s) {
+    if (!(c >= 0.0 && s >= 0.0)) return false;
+    const double size = problem.length + problem.body.front() + problem.body.rear() + problem.radius;
+    double clears = shape.clears(problem, c, s);
+    if (problem.front_setback == 0.0 && problem.rear_setback == 0.0)
+        clears = std::min(clears, problem.length - problem.body.front() - problem.body.rear());
+    if (std::abs(clears) > 1e-9 * size) return clears > 0.0;
+    return lies_in(possible_headings(problem, shape), heading);
 }
 
 std::vector<Headings> possible_headings(const Problem& problem) {

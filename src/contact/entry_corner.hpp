@@ -20,11 +20,6 @@ Pose entry_pose(const Problem& problem, const Point& corner, double heading);
 
 /// Headings in [0, pi/2] at which the body there overlaps nothing and the first move can start.
 std::vector<Headings> possible_headings(const Problem& problem);
-inline bool lies_in(const std::vector<Headings>& ranges, double heading) {
-    for (const Headings& range : ranges)
-        if (range.min <= heading && heading <= range.max) return true;
-    return false;
-}
 
 /// The body as it stands about its entry corner: what the check of an entry position needs, whatever the slot.
 struct EntryShape {
@@ -45,5 +40,12 @@ struct EntryShape {
 };
 
 std::vector<Headings> possible_headings(const Problem& problem, const EntryShape& shape);
+inline bool lies_in(const std::vector<Headings>& ranges, double heading) {
+    for (const Headings& range : ranges)
+        if (range.min <= heading && heading <= range.max) return true;
+    return false;
+}
+/// Is this heading, with the direction (c, s), one of them? Mostly told without looking for them all.
+bool is_possible(const Problem& problem, const EntryShape& shape, double heading, double c, double s);
 
 }  // namespace snug::detail

@@ -22,11 +22,6 @@ struct Surroundings {
     Real touch;         ///< closer than this is touching [m]
 };
 
-/// What the turning car can reach at all, as far as that is known.
-struct InReach {
-    bool front = true, rear = true, curb = true;
-};
-
 /// An edge of the car seen from the turning centre, as far as a fixed point can enter over it: there it moves along the
 /// edge's direction away from the foot of the centre.
 template <class N>
@@ -185,12 +180,12 @@ struct First {
     /// Everything but the edges. `at_curb` is the lowest corner of what stops at the curb.
     SNUG_INLINE void corners_meet(const SeenCorner<Real>& lowest, const SeenCorner<Real>& leftmost,
                                   const SeenCorner<Real>& rightmost, const SeenCorner<Real>& at_curb,
-                                  const Surroundings<Real>& around, const InReach& in_reach = {}) {
+                                  const Surroundings<Real>& around) {
         const Real front = N::set(0.0) - around.x;
         const Real rear = front - around.length;
-        if (in_reach.front) corner_meets_side<1>(rightmost, front, around.above_front, around.touch, Meets::front_side);
-        if (in_reach.rear) corner_meets_side<-1>(leftmost, rear, around.above_rear, around.touch, Meets::rear_side);
-        if (in_reach.curb) corner_meets_curb(at_curb, around.above_curb, around.touch);
+        corner_meets_side<1>(rightmost, front, around.above_front, around.touch, Meets::front_side);
+        corner_meets_side<-1>(leftmost, rear, around.above_rear, around.touch, Meets::rear_side);
+        corner_meets_curb(at_curb, around.above_curb, around.touch);
         const Real low = lowest.x * start_s + lowest.y * start_c;
         const Mask above_front = around.above_front + low > N::set(0.0) - around.touch;
         if (N::rarely(above_front))

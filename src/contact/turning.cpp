@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "contact/edge.hpp"
+
 namespace snug::detail {
 
 namespace {
@@ -79,15 +81,6 @@ TurningCorner turned(TurningCorner corner, int quarter) {
     return corner;
 }
 
-/// The most that a c + b s is between two borders; `radius` is that of (a, b).
-double most_between(double a, double b, double radius, const Border& begin, const Border& end) {
-    if (a >= 0.0 && b >= 0.0) {
-        const double order = (b - a) / radius;
-        if (order <= begin.s - begin.c && order >= end.s - end.c) return radius;
-    }
-    return std::max(a * begin.c + b * begin.s, a * end.c + b * end.s);
-}
-
 /// order() of the heading at which the corner is straight below the centre, if that lies between two borders.
 double below_centre(const TurningCorner& corner, double begin_order, double end_order) {
     constexpr double never = std::numeric_limits<double>::infinity();
@@ -102,11 +95,7 @@ Few<Point, 4> directions(const Outline& body) {
     Few<Point, 4> ways;
     ways.resize(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point& next = corners[i + 1 == corners.size() ? 0 : i + 1];
-        const double x = next.x - corners[i].x;
-        const double y = next.y - corners[i].y;
-        const double length = x == 0.0 ? std::abs(y) : y == 0.0 ? std::abs(x) : angles::hypot(x, y);
-        ways[i] = {x / length, y / length};
+        ways[i] = direction(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
     }
     return ways;
 }
@@ -136,7 +125,7 @@ Few<TurningEdge, 8> seen_edges(const Few<TurningCorner, 12>& corners, const Few<
         edge.nearest_square = (near * near + square) * (1.0 - 1e-12);
         edge.farthest_square = edge.to > 0.0 ? (far * far + square) * (1.0 + 1e-12) : -1.0;
         for (int quarter = 0; quarter < 4; ++quarter)
-            edge.normal[static_cast<std::size_t>(quarter)] = turned(Point{way.y, -way.x}, quarter);
+            edge.normal[static_cast<std::size_t>(quarter)] = turned(outward(way), quarter);
     }
     for (std::size_t i = 0; i < count; ++i) edges[count + i] = edges[i];
     return edges;
@@ -184,11 +173,10 @@ TurningFrame::TurningFrame(const Problem& problem, const TurningShape& shape, do
     sectors.resize(4 * shape.ends.size());
 }
 
-void TurningFrame::see(const Problem& problem, const TurningShape& shape, int any_quarter) {
+void TurningFrame::see(const TurningShape& shape, int any_quarter) {
     const int quarter = any_quarter & 3;
     if (seen_[static_cast<std::size_t>(quarter)]) return;
     seen_[static_cast<std::size_t>(quarter)] = true;
-    const double margin = 4.0 * problem.touch;
     // A quarter turn on, what led to the right leads downward.
     const auto down = static_cast<std::size_t>(quarter);
     const std::size_t right = (down + 1) % 4;
@@ -217,12 +205,6 @@ void TurningFrame::see(const Problem& problem, const TurningShape& shape, int an
         sector.frame_low = point(seen(frame_, of_frame[i][down]));
         sector.frame_left = point(seen(frame_, of_frame[i][left]));
         sector.frame_right = point(seen(frame_, of_frame[i][right]));
-        const auto reach = [&](double a, double b, const TurningCorner& of) {
-            return most_between(a, b, of.radius, begin, end) + margin;
-        };
-        sector.reaches_right = reach(sector.rightmost.x, -sector.rightmost.y, sector.rightmost);
-        sector.reaches_left = reach(-sector.leftmost.x, sector.leftmost.y, sector.leftmost);
-        sector.reaches_down = reach(-sector.at_curb.y, -sector.at_curb.x, sector.at_curb);
         sector.graze_order = below_centre(sector.at_curb, begin_order, end_order);
         sector.dip_order = below_centre(sector.top, begin_order, end_order);
         begin = end;
@@ -231,7 +213,7 @@ void TurningFrame::see(const Problem& problem, const TurningShape& shape, int an
 
 TurningFrame turning_frame(const Problem& problem, const TurningShape& shape, double offset) {
     TurningFrame frame(problem, shape, offset);
-    for (int quarter = 0; quarter < 4; ++quarter) frame.see(problem, shape, quarter);
+    for (int quarter = 0; quarter < 4; ++quarter) frame.see(shape, quarter);
     return frame;
 }
 
@@ -240,9 +222,7 @@ FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const P
     const Surroundings<double> around = {
         x, y, problem.length, y + problem.width, y + problem.front_setback, y + problem.rear_setback, problem.touch};
     First<Plain<double>, Found> first(c, s, sector.end_order);
-    first.corners_meet(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around,
-                       {sector.reaches_right >= -x, sector.reaches_left >= x + problem.length,
-                        sector.reaches_down >= around.above_curb});
+    first.corners_meet(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around);
     const TurningEdge* const edges = frame.edges.data();
     const int count = static_cast<int>(frame.edges.size() / 2);
     // Inlined twice by force, so that `first` stays in registers.

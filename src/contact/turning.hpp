@@ -56,7 +56,8 @@ struct Found {
     }
 };
 
-#define SNUG_INLINE inline
+// By force, as for vectors: what is found so far stays in registers.
+#define SNUG_INLINE inline __attribute__((always_inline))
 #define SNUG_LAMBDA
 #include "contact/sector.inl"
 #undef SNUG_INLINE
@@ -110,9 +111,6 @@ struct Sector {
     /// order() of the heading at which the corner at the curb is lowest, and the top is lowest; infinite if not in the sector.
     double graze_order = std::numeric_limits<double>::infinity();
     double dip_order = std::numeric_limits<double>::infinity();
-    /// The most that these corners, and what stops at the curb, come to lie to the right, to the left and below the centre,
-    /// and a little more: no obstacle farther off need be looked at. [m]
-    double reaches_right = 0.0, reaches_left = 0.0, reaches_down = 0.0;
 };
 
 /// An edge of the body, and how near and how far from the centre a point must be to meet it.
@@ -148,7 +146,7 @@ struct TurningFrame {
     /// right). [m]
     TurningFrame(const Problem& problem, const TurningShape& shape, double offset);
     /// Works out the sectors of a quarter turn, unless that is done.
-    void see(const Problem& problem, const TurningShape& shape, int any_quarter);
+    void see(const TurningShape& shape, int any_quarter);
 
     Few<Sector, 4> sectors;     ///< quarter by quarter, as many in each, in the order of falling headings
     Few<TurningEdge, 8> edges;  ///< as the outline counts them, twice around

@@ -82,13 +82,7 @@ bool Cases::in_vectors() const {
 
 bool Cases::is_entry(double heading, const QuarterHeading& direction) const {
     if (slots_ == nullptr) return lies_in(possible_, heading);
-    const Problem& problem = steering_.problem;
-    const double size = problem.length + problem.body.front() + problem.body.rear() + problem.radius;
-    double clears = steering_.entry.clears(problem, direction.c, direction.s);
-    if (problem.front_setback == 0.0 && problem.rear_setback == 0.0)
-        clears = std::min(clears, problem.length - problem.body.front() - problem.body.rear());
-    if (std::abs(clears) > 1e-9 * size) return clears > 0.0;
-    return lies_in(possible_headings(problem, steering_.entry), heading);
+    return is_possible(steering_.problem, steering_.entry, heading, direction.c, direction.s);
 }
 
 }  // namespace detail

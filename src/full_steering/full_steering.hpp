@@ -119,7 +119,7 @@ public:
     [[nodiscard]] double y_slope() const { return y_slope_; }
 
     template <bool Slope>
-    FullMove drive() {
+    __attribute__((always_inline)) FullMove drive() {
         FullMove move;
         drive<Slope>(move);
         return move;
@@ -127,7 +127,7 @@ public:
     /// Drives the next move to its contact, and fills in a new `move`. A move without contact (a full circle) leaves the car
     /// where it was.
     template <bool Slope>
-    void drive(FullMove& move) {
+    __attribute__((always_inline)) void drive(FullMove& move) {
         const TurningFrame& frame = backward_ ? steering_->backward : steering_->forward;
         const int around = 4 * frame.per_quarter;
         double end_slope = heading_slope_;  // of the heading at the move's end

@@ -79,10 +79,10 @@ MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering
 
 MaxSteerRun detail::max_steer(const Car& car, const Slot& slot, const FullSteering& steering, double heading,
                               const MaxSteerOptions& options) {
-    if (!lies_in(possible_headings(steering.problem, steering.entry), heading)) return {Outcome::no_entry, {car, {}}};
     const FullSteeringRun at_entry(steering, heading);
-    const double radius = steering.problem.radius;
     const QuarterHeading& way = at_entry.heading();
+    if (!is_possible(steering.problem, steering.entry, heading, way.c, way.s)) return {Outcome::no_entry, {car, {}}};
+    const double radius = steering.problem.radius;
     return drive(car, slot, steering, at_entry, {at_entry.x() + radius * way.s, at_entry.y() - radius * way.c, heading},
                  false, options);
 }

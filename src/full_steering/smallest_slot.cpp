@@ -145,11 +145,8 @@ private:
     /// How far from parked the car stays in all moves allowed, the least D_n [m]: at most 0 if the heading parks.
     [[nodiscard]] double miss(const FullSteering& at, double heading) const {
         double least = std::numeric_limits<double>::infinity();
-        bool possible = false;
-        for (const Headings& headings : possible_headings(at.problem))
-            possible = possible || (heading >= headings.min && heading <= headings.max);
-        if (!possible) return least;
         FullSteeringRun run(at, heading);
+        if (!is_possible(at.problem, at.entry, heading, run.heading().c, run.heading().s)) return least;
         bool stuck = false;
         for (int n = 0; n <= changes_; ++n) {
             const FullMove move = run.drive<false>();
