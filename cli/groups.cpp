@@ -129,14 +129,22 @@ void NeighbourOptions::describe(SlotDimensions& slot) const {
     slot.curb = curb.value_or(Curb::high);
 }
 
+Option<double> angle_option(Options& options) {
+    return options.group("Street").number(
+        "--angle", "DEG",
+        "Between the parked car and the street [degrees]: 0\n(parallel, default) to 90 (perpendicular).",
+        {" degrees", 0.0, 90.0});
+}
+
+Option<double> stretch_option(Options& options) {
+    return options.number("--stretch", "M", "How far ahead of and behind the slot the rear axle\nmay go [m] (10).",
+                          {" m", 0.0, 1e4});
+}
+
 StreetOptions::StreetOptions(Options& options)
-    : angle(options.group("Street").number("--angle", "DEG",
-                                           "Between the parked car and the street [degrees]: 0\n(parallel, default) to "
-                                           "90 (perpendicular).",
-                                           {" degrees", 0.0, 90.0})),
+    : angle(angle_option(options)),
       road(options.number("--road", "M", "A wall along the street so far beyond the slot's edge\n[m] (none).", size)),
-      stretch(options.number("--stretch", "M", "How far ahead of and behind the slot the rear axle\nmay go [m] (10).",
-                             {" m", 0.0, 1e4})) {}
+      stretch(stretch_option(options)) {}
 
 Street StreetOptions::street(const SlotDimensions& slot) const {
     Street street;

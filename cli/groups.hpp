@@ -53,6 +53,10 @@ struct SlotOptions {
     Option<double> heading;
 };
 
+/// --angle and --stretch, wherever there is a street.
+Option<double> angle_option(Options& options);
+Option<double> stretch_option(Options& options);
+
 /// --angle, --road and --stretch: what makes a slot a bay at a street.
 struct StreetOptions {
     explicit StreetOptions(Options& options);

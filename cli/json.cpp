@@ -77,6 +77,10 @@ std::string clearance_json(const ClearanceQuestion& question, const std::vector<
     return write(json);
 }
 
+std::string min_street_json(const MinStreetQuestion& question, const std::vector<MinStreet>& rows) {
+    return write(min_streets_as_json(question.car, question.streets, question.options, rows));
+}
+
 std::string MinSlotJson::begin() {
     return list_.begin({{"schema", 1}, {"car", as_json(question_.car)}, {"strategy", strategy_name(question_)}},
                        "rows");

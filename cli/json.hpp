@@ -9,6 +9,7 @@
 #include "cli/drive.hpp"
 #include "cli/entry.hpp"
 #include "cli/min_slot.hpp"
+#include "cli/min_street.hpp"
 #include "cli/park.hpp"
 #include "snug/atlas.hpp"
 #include "snug/io.hpp"
@@ -30,6 +31,7 @@ std::string drive_json(const ParkQuestion& question, const DriveOptions& options
 /// The answer of an atlas, with the stored cell that it comes from.
 std::string atlas_json(const EntryQuestion& question, Strategy strategy, const Answer& answer, const AtlasCell& cell);
 std::string clearance_json(const ClearanceQuestion& question, const std::vector<KeptClearance>& rows);
+std::string min_street_json(const MinStreetQuestion& question, const std::vector<MinStreet>& rows);
 std::string waypoints_json(const std::vector<Waypoint>& waypoints);
 std::string trajectory_json(const Trajectory& trajectory, double period);
 

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cli/clearance.hpp"
 #include "cli/command.hpp"
 #include "cli/groups.hpp"
 #include "cli/json.hpp"
+#include "cli/min_street.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/table.hpp"
@@ -30,7 +32,8 @@ constexpr const char* purpose =
     "How short a parallel parking slot may be for a given width, or how narrow for a\n"
     "given length, so that the car parks with so many direction changes; or, for one\n"
     "slot, how many it takes and what a little more or less room would change, or\n"
-    "which clearance the car can keep in it with so many.";
+    "which clearance the car can keep in it with so many; or how narrow a road or a\n"
+    "bay at any angle may be.";
 
 constexpr const char* examples =
     "Lists are a,b,c; ranges are from:to:step, both ends included. A slot smaller\n"
@@ -39,13 +42,20 @@ constexpr const char* examples =
     "shortest slots of its width for one change fewer, for its own count and for\n"
     "what the next shorter slot needs. With --max-changes as well, the answer is the\n"
     "largest clearance that still parks in it.\n\n"
+    "With --angle, --road or --stretch the car starts where it does for snug park and\n"
+    "may drive any maneuver. Of length, width and road two are given, one of them as a\n"
+    "list; the third is sought (the road, where length and width are given), between a\n"
+    "size that parks and one below which all are proved impossible.\n\n"
     "Examples:\n"
     "  snug min-slot --car renault-zoe --max-changes 0,1,2,5,10 --width 1.8:2.4:0.1\n"
     "  snug min-slot --car my-car.json --max-changes 2 --length 5:6:0.1 --format csv\n"
     "  snug min-slot --car vw-transporter --extra-length 0.8 --extra-width 0.3\n"
-    "  snug min-slot --car renault-zoe --length 5 --width 2 --max-changes 1,3,5\n\n"
+    "  snug min-slot --car renault-zoe --length 5 --width 2 --max-changes 1,3,5\n"
+    "  snug min-slot --car renault-zoe --angle 90 --length 5 --width 2.3,2.5 \\\n"
+    "      --max-changes 1,2\n\n"
     "Exit codes: 0 solved; 1 understood, and no row has an answer; 2 bad input, with\n"
-    "one line that says what is wrong; 3 undecided within the limits given.";
+    "one line that says what is wrong; 3 undecided within the limits given. Of\n"
+    "streets, Ctrl-C ends with what is known so far.";
 
 /// The options of `snug min-slot`, in the order of its help text.
 struct Asked {
@@ -61,6 +71,9 @@ struct Asked {
               options.number("--max-length", "M", "No longer slots [m] (4 m more than the car's length).", size)),
           min_range(options.number("--min-range", "RAD", "Entry headings must hold a range that wide [rad]\n(0).",
                                    {" rad", 0.0, limits::quarter_turn})),
+          angle(angle_option(options)),
+          roads(options.numbers("--road", "RANGE", "Walls along the street so far beyond the slot's edge\n[m].", size)),
+          stretch(stretch_option(options)),
           neighbours(options),
           parked(options),
           driving(options),
@@ -92,6 +105,9 @@ struct Asked {
     Option<std::vector<double>> extra_lengths;
     Option<double> max_length;
     Option<double> min_range;
+    Option<double> angle;  ///< in degrees
+    Option<std::vector<double>> roads;
+    Option<double> stretch;
     NeighbourOptions neighbours;
     ParkedOptions parked;
     DrivingOptions driving;
@@ -143,6 +159,73 @@ std::vector<int> counts(const Asked& asked, Planner planner) {
         all.push_back(static_cast<int>(count));
     }
     return all;
+}
+
+/// Throws Error where an option has no meaning in a street.
+template <class Value>
+void refuse_in_street(const Option<Value>& option) {
+    if (option) throw Error(option.name() + " is not for streets; leave it out, or --angle, --road and --stretch");
+}
+
+/// A bay at a street: two of its length, its width and the road are given, one of them as a list.
+MinStreetQuestion street_question(const Asked& asked) {
+    MinStreetQuestion question = {asked.car.car(), {}, {}, StreetSize::width, {}, 0};
+    const Car& car = question.car;
+    refuse_in_street(asked.min_range);
+    refuse_in_street(asked.length_step);
+    refuse_in_street(asked.width_step);
+    refuse_in_street(asked.draw);
+    if (asked.planner && *asked.planner != Planner::fewest)
+        throw Error("--strategy: in streets the answer is over all maneuvers; leave it out, or write fewest");
+    const bool length = asked.lengths || asked.extra_lengths, width = asked.widths || asked.extra_widths;
+    if (!length && !width)
+        throw Error("--length is missing; give two of --length, --width and --road, and the third is sought");
+    MinStreetOptions& options = question.options;
+    const bool road = static_cast<bool>(asked.roads);
+    if (length && width && road)
+        throw Error(asked.roads.name() +
+                    " stands beside a length and a width, so that nothing is sought; leave out one of them");
+    if (!(length && width) && !road)
+        throw Error((length ? std::string("--width") : std::string("--length")) +
+                    " is missing; give two of --length, --width and --road, and the third is sought");
+    options.sought = !road ? StreetSize::road : length ? StreetSize::width : StreetSize::length;
+    options.resolution = asked.resolution.value_or(0.0);
+    options.clearance = asked.driving.clearance.value_or(0.0);
+    if (asked.max_length && options.sought != StreetSize::length)
+        throw Error(asked.max_length.name() + " is for lengths that are sought; leave it out");
+    // As far as sizes are looked at.
+    options.largest = options.sought == StreetSize::road    ? 20.0
+                      : options.sought == StreetSize::width ? car.width() + 4.0
+                                                            : asked.max_length.value_or(car.length() + 4.0);
+    question.max_changes = counts(asked, Planner::fewest);
+    if (asked.threads) question.threads = *asked.threads;
+
+    Street street;
+    const Driving driving = asked.driving.driving(asked.neighbours);
+    street.angle = std::min(asked.angle.value_or(0.0) * limits::quarter_turn / 90.0, limits::quarter_turn);
+    street.stretch = asked.stretch.value_or(street.stretch);
+    street.enter = driving.enter;
+    street.curb_clearance = driving.curb_clearance;
+    street.front_setback = asked.neighbours.front_setback.value_or(0.0);
+    street.rear_setback = asked.neighbours.rear_setback.value_or(0.0);
+    street.curb = asked.neighbours.curb.value_or(Curb::high);
+    street.parked = asked.parked.parked();
+    std::vector<std::pair<StreetSize, std::vector<double>>> given;
+    if (length) given.emplace_back(StreetSize::length, lengths(asked, car));
+    if (width) given.emplace_back(StreetSize::width, widths(asked, car));
+    if (road) given.emplace_back(StreetSize::road, *asked.roads);
+    if (given[0].second.size() > 1 && given[1].second.size() > 1)
+        throw Error("--" + std::string(to_string(given[0].first)) + " and --" + std::string(to_string(given[1].first)) +
+                    " are both lists; give one " + std::string(to_string(given[0].first)) + " or one " +
+                    std::string(to_string(given[1].first)));
+    if (given[0].second.size() > 1) std::swap(given[0], given[1]);
+    question.listed = given[1].first;
+    street = with_size(street, given[0].first, given[0].second.front());
+    for (const double size : given[1].second) {
+        question.streets.push_back(with_size(street, given[1].first, size));
+        if (width) asked.neighbours.check_within(question.streets.back().width);
+    }
+    return question;
 }
 
 /// There is a picture of one slot.
@@ -384,6 +467,8 @@ Action parse_min_slot(const Arguments& arguments) {
     Options options("snug min-slot", purpose, examples);
     const Asked asked(options);
     if (!options.read(arguments)) return say(options.help());
+    if (asked.angle || asked.roads || asked.stretch)
+        return min_street_action(street_question(asked), asked.output.format(), asked.output.path());
     const Planner planner = asked.planner.value_or(Planner::max_steer);
     const bool width = asked.widths || asked.extra_widths;
     const bool length = asked.lengths || asked.extra_lengths;

@@ -11,6 +11,7 @@
 #include "snug/entry.hpp"
 #include "snug/fewest.hpp"
 #include "snug/min_slot.hpp"
+#include "snug/min_street.hpp"
 #include "snug/park.hpp"
 #include "snug/scene.hpp"
 #include "snug/trajectory.hpp"
@@ -57,6 +58,12 @@ Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, c
 Json any_maneuver_as_json(const Answer& answer);
 /// A row of `snug min-slot --format json`.
 Json as_json(const MinSlot& slot, const MinSlotOptions& options);
+/// The same number of rows for every street, counts inside, as min_streets() has them.
+Json min_streets_as_json(const Car& car, const std::vector<Street>& streets, const MinStreetOptions& options,
+                         const std::vector<MinStreet>& rows);
+/// max_changes,length,width,road and what is sought with _lower
+std::string min_streets_as_csv(const std::vector<Street>& streets, StreetSize sought,
+                               const std::vector<MinStreet>& rows);
 /// The answer of `snug leave --format json`.
 Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer, const Driving& driving = {});
 

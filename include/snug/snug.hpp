@@ -17,6 +17,7 @@
 #include "snug/maneuver.hpp"
 #include "snug/max_steer.hpp"
 #include "snug/min_slot.hpp"
+#include "snug/min_street.hpp"
 #include "snug/outline.hpp"
 #include "snug/park.hpp"
 #include "snug/park_map.hpp"

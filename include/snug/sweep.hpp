@@ -10,6 +10,7 @@
 #include "snug/car.hpp"
 #include "snug/entry.hpp"
 #include "snug/min_slot.hpp"
+#include "snug/min_street.hpp"
 
 namespace snug {
 
@@ -43,6 +44,13 @@ std::vector<int> direction_changes(const Car& car, const std::vector<Slot>& slot
 /// Throws Error when an option is impossible.
 std::vector<MinSlot> min_slots(const Car& car, const std::vector<double>& given, const std::vector<int>& max_changes,
                                const MinSlotOptions& options = {}, const SweepOptions& sweep = {});
+
+/// min_street() in every street for every maximum of direction changes: streets outside, counts inside, as given.
+/// `options.max_changes` and `options.progress` are not looked at. When the progress callback gives up, rows are as far as they had
+/// come. Throws Error when an option is impossible, or where park() would.
+std::vector<MinStreet> min_streets(const Car& car, const std::vector<Street>& streets,
+                                   const std::vector<int>& max_changes, const MinStreetOptions& options = {},
+                                   const SweepOptions& sweep = {});
 
 /// The paper's own loop (section 3.3): slots larger and larger by `step` [m] from the car's size on, Algorithm 1 in each.
 /// The first that parks is the answer; its entry heading is the middle of the widest best range. The reference for

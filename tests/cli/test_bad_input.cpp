@@ -170,10 +170,23 @@ TEST(BadInput, OnlyWordsThatAreNearAreSuggested) {
 }
 
 TEST(BadInput, AnOptionOfAnotherCommandIsToldAsSuch) {
-    expect_refusal(run(zoe + "--road 4"), {"\"--road\"", "belongs to snug park, snug leave or snug drive"});
-    expect_refusal(run("min-slot --car mid-size --width 2 --angle 90"), {"\"--angle\"", "snug park"});
+    expect_refusal(run(zoe + "--road 4"),
+                   {"\"--road\"", "belongs to snug min-slot, snug park, snug leave or snug drive"});
+    expect_refusal(run("min-slot --car mid-size --width 2 --from 2,1,0"), {"\"--from\"", "snug park"});
     expect_refusal(run("park --car mid-size --length 6 --width 2 --min-range 0.1"), {"snug entry or snug min-slot"});
     expect_refusal(run(zoe + "--gap-curb=0.1"), {"\"--gap-curb\"", "snug leave"});
+}
+
+TEST(BadInput, OfAStreetTwoSizesAreGivenAndOneIsSought) {
+    const std::string bay = "min-slot --car renault-zoe --max-changes 1 --angle 90 ";
+    expect_refusal(run(bay), {"--length is missing", "the third is sought"});
+    expect_refusal(run(bay + "--length 5"), {"--width is missing"});
+    expect_refusal(run(bay + "--length 5 --width 2.5 --road 6"), {"--road", "nothing is sought"});
+    expect_refusal(run(bay + "--length 5,6 --width 2.5,2.6"), {"--length and --width are both lists"});
+    expect_refusal(run(bay + "--length 5 --width 2.5 --strategy max-steer"), {"--strategy", "fewest"});
+    expect_refusal(run(bay + "--length 5 --width 2.5 --min-range 0.1"), {"--min-range", "not for streets"});
+    expect_refusal(run(bay + "--length 5 --width 2.5 --max-length 8"), {"--max-length"});
+    expect_refusal(run("min-slot --car renault-zoe --angle 90 --length 5 --width 2.5"), {"--max-changes is missing"});
 }
 
 TEST(BadInput, BytesThatAreNoTextAreShownAsNumbers) {

@@ -128,6 +128,31 @@ TEST(MinSlot, TakesNeighboursCurbAndWhatCountsAsParked) {
     expect_refusal(run(zoe + "--max-changes 1 --width 2 --strategy stepping --curb low"), {"--curb", "max-steer"});
 }
 
+TEST(MinSlot, OfStreetsTheRoadTheWidthOrTheLengthIsFound) {
+    const std::string bay = zoe + "--angle 90 --max-changes 3,1 --resolution 0.04 ";
+    const Json roads = Json::parse(run(bay + "--length 5 --width 2.5,2.7 --format json").out);
+    EXPECT_EQ(keys(roads), (std::vector<std::string>{"schema", "car", "strategy", "slot", "rows"}));
+    ASSERT_EQ(roads["rows"].size(), 4U);
+    EXPECT_EQ(keys(roads["rows"][0]),
+              (std::vector<std::string>{"max_changes", "length", "width", "road", "road_lower"}));
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Json& row = roads["rows"][i];
+        EXPECT_EQ(row["max_changes"], i % 2 == 0 ? 3 : 1);
+        EXPECT_LT(row["road_lower"], row["road"]);
+        const Json there = Json::parse(run("park --car renault-zoe --angle 90 --length 5 --width " +
+                                           row["width"].dump() + " --road " + row["road"].dump() + " --format json")
+                                           .out);
+        EXPECT_LE(there["direction_changes"], row["max_changes"]) << row;
+    }
+    EXPECT_LE(roads["rows"][0]["road_lower"], roads["rows"][1]["road"]);
+    const std::vector<std::string> widths = lines(run(bay + "--length 5 --road 6 --format csv").out);
+    ASSERT_EQ(widths.size(), 3U);
+    EXPECT_EQ(widths[0], "max_changes,length,width,road,width_lower");
+    const std::string text = run(zoe + "--width 2 --road 3.5 --max-changes 2 --resolution 0.04").out;
+    EXPECT_NE(text.find("the shortest slot [m] over all maneuvers"), text.npos) << text;
+    EXPECT_EQ(run(zoe + "--angle 90 --length 3 --width 2.5 --max-changes 1").exit_code, 1);
+}
+
 TEST(MinSlot, OverAllManeuversWidthsAreFoundToo) {
     const Json row = Json::parse(
         run(zoe + "--max-changes 3 --length 5 --strategy fewest --resolution 0.008 --format json").out)["rows"][0];
