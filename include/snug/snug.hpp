@@ -22,6 +22,7 @@
 #include "snug/park.hpp"
 #include "snug/park_map.hpp"
 #include "snug/place.hpp"
+#include "snug/rolling.hpp"
 #include "snug/slot.hpp"
 #include "snug/stepping.hpp"
 #include "snug/strategy.hpp"

@@ -30,12 +30,14 @@ struct TrajectoryPoint {
     double steering_rate = 0.0;   ///< [rad/s]
     double curvature = 0.0;       ///< of the steering, positive to the left [1/m]
     double distance = 0.0;        ///< driven so far, never falling [m]
+    double sharpness = 0.0;       ///< what the curvature gains in every metre driven [1/m2]
 
     friend bool operator==(const TrajectoryPoint&, const TrajectoryPoint&) = default;
 };
 
-/// A maneuver over time. From each of its points to the next, acceleration and steering rate are constant; the steering turns
-/// only while the car stands, so that the path is the maneuver's.
+/// A maneuver over time. From each of its points to the next the acceleration is constant; while the car stands the steering
+/// rate is, too, and while it rolls the sharpness: of a Maneuver that is 0, its steering turns only while the car stands, so that
+/// the path is the maneuver's; for one that steers while it rolls see rolling.hpp.
 struct Trajectory {
     Car car;
     MotionLimits limits;

@@ -9,6 +9,7 @@
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
 #include "snug/limits.hpp"
+#include "snug/rolling.hpp"
 
 namespace snug {
 namespace {
@@ -30,9 +31,18 @@ TrajectoryPoint moved_on(const Car& car, const TrajectoryPoint& from, double sec
     TrajectoryPoint to = from;
     to.time = from.time + seconds;
     to.speed = from.speed + from.acceleration * seconds;
-    to.steering_angle = from.steering_angle + from.steering_rate * seconds;
     const double driven = std::abs((from.speed + from.acceleration * seconds / 2.0) * seconds);
     to.distance = from.distance + driven;
+    if (from.sharpness != 0.0) {
+        const RollingPiece piece = {from.direction, from.curvature, from.sharpness, driven, from.pose, {}};
+        to.pose = piece.at(driven);
+        to.curvature = piece.curvature_at(driven);
+        to.steering_angle = angles::atan(car.wheelbase() * to.curvature);
+        const double cosine = angles::cos(to.steering_angle);
+        to.steering_rate = car.wheelbase() * from.sharpness * std::abs(to.speed) * cosine * cosine;
+        return to;
+    }
+    to.steering_angle = from.steering_angle + from.steering_rate * seconds;
     to.curvature = angles::tan(to.steering_angle) / car.wheelbase();
     to.pose = drive(car, from.pose, from.direction, from.steering_angle, driven);
     return to;
