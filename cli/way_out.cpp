@@ -8,6 +8,7 @@
 #include "cli/table.hpp"
 #include "cli/words.hpp"
 #include "sentences/check.hpp"
+#include "snug/any_maneuver.hpp"
 #include "snug/error.hpp"
 #include "snug/limits.hpp"
 #include "snug/min_slot.hpp"
@@ -21,24 +22,12 @@ constexpr double patience = 2.0;  // for each of the answers [s]: a lattice so c
 /// Coarse enough to be quick: the spacing decides where the search ends, and hardly ever the clock.
 double coarse(const Car& car) { return std::max(limits::finest, car.length() / 500.0); }
 
-FewestOptions quick(const EntryQuestion& question, int most_changes) {
-    FewestOptions options;
-    options.max_changes = std::min(most_changes, limits::most_changes_fewest);
-    options.driving = question.options.driving;
-    options.parked = question.options.parked;
-    options.resolution = coarse(question.car);
-    options.time_limit = patience;
-    options.roomiest = false;
-    return options;
-}
-
 /// Whether the car parks with that strategy in that slot, keeping that clearance.
 bool parks(const EntryQuestion& question, Strategy strategy, int most_changes, const Slot& slot,
            const Driving& driving) {
     if (strategy == Strategy::fewest) {
-        FewestOptions options = quick(question, most_changes);
-        options.driving = driving;
-        return fewest(question.car, slot, options).parkable();
+        const auto any = snug::any_maneuver(question.car, slot, driving, question.options.parked, most_changes);
+        return any && any->parkable();
     }
     EntryOptions options = question.options;
     options.max_changes = most_changes;
@@ -119,11 +108,7 @@ std::string count_words(const Answer& any) {
 }  // namespace
 
 std::optional<Answer> any_maneuver(const EntryQuestion& question) {
-    try {
-        return fewest(question.car, question.slot, quick(question, limits::usual_changes));
-    } catch (const Error&) {
-        return std::nullopt;  // a slot so large that the lattice does not fit into memory
-    }
+    return snug::any_maneuver(question.car, question.slot, question.options.driving, question.options.parked);
 }
 
 WayOut way_out(const EntryQuestion& question, Strategy strategy, int most_changes) {
@@ -142,10 +127,11 @@ WayOut way_out(const EntryQuestion& question, Strategy strategy, int most_change
         EntryOptions options = question.options;
         options.max_changes.reset();
         options.prove = false;
-        out.changes =
-            strategy == Strategy::fewest
-                ? fewest(question.car, question.slot, quick(question, limits::usual_changes)).direction_changes
-                : entry(question.car, question.slot, options).direction_changes;
+        if (strategy != Strategy::fewest) {
+            out.changes = entry(question.car, question.slot, options).direction_changes;
+        } else if (const auto any = any_maneuver(question)) {
+            out.changes = any->direction_changes;
+        }
     });
     try_out([&] { out.longer = enlarged(question, strategy, most, Sought::length); });
     try_out([&] { out.wider = enlarged(question, strategy, most, Sought::width); });

@@ -9,8 +9,7 @@
 
 namespace snug::cli {
 
-/// What any maneuver can do, however it is steered: the fewest changes, as far as a lattice of a five-hundredth of the car's
-/// length and two seconds tell. Empty where the question is beyond that search.
+/// The library's any_maneuver(): what other maneuvers can do.
 std::optional<Answer> any_maneuver(const EntryQuestion& question);
 
 /// The ways out of a no, each alone and each tried: what is said parks.

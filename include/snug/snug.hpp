@@ -2,6 +2,7 @@
 #pragma once
 
 #include "snug/answer.hpp"
+#include "snug/any_maneuver.hpp"
 #include "snug/atlas.hpp"
 #include "snug/baselines.hpp"
 #include "snug/batch.hpp"
