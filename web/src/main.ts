@@ -96,10 +96,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
         },
         road: (by) => inputs.road !== null && change({ ...inputs, road: within("road", inputs.road + by) }),
         grabbed: () => player.pause(),
-        released: () => {
-            if (inStreet()) parking.again();
-            refresh();
-        },
+        released: refresh,
     });
     const player = createPlayer((pose, steer) => (inStreet() ? street : drawing).showCar(pose, steer));
     // A field that is not the pose leaves the usual one as it is.
@@ -129,11 +126,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
     const answer = () => (inStreet() ? parking.state.exact : final(inputs));
     let moves: number | undefined;
     const share = createShare(now, answer, () => moves);
-    for (const id of ["swept", "tracks"]) byId(id).addEventListener("change", refresh);
-    byId("show-map").addEventListener("change", () => {
-        parking.again();
-        refresh();
-    });
+    for (const id of ["swept", "tracks", "show-map"]) byId(id).addEventListener("change", refresh);
     // A button that goes leaves the keyboard's place with the answer.
     const button = (id: string, next: () => Inputs) =>
         byId(id).addEventListener("click", () => {
@@ -224,8 +217,10 @@ function run(snug: Snug, module: WebAssembly.Module) {
         });
         const end = inputs.way === "out" && !scene ? "Out" : "Parked";
         const parked = found && found.moves.length === 0;
-        load(shown, shown && way && { car, maneuver: shown, track: way, mirrored: false, end, near: near(obstaclesOf(state.scene)) }, parked ? end : undefined);
-        if (!shown) street.showCar(state.pose, 0);
+        if (state.exact || state.lookedAt === state.pose)
+            load(shown, shown && way && { car, maneuver: shown, track: way, mirrored: false, end, near: near(obstaclesOf(state.scene)) }, parked ? end : undefined);
+        if (!shown || (!state.exact && state.lookedAt !== state.pose)) street.showCar(state.pose, 0);
+        parking.again();
         sayPark(inputs, state, swept?.current ? swept : null);
         byId("street-legend").toggleAttribute("hidden", !byId<HTMLInputElement>("show-map").checked);
     }

@@ -1,7 +1,6 @@
 // The answers in the street: from the map at once, and from the exact search a moment after the car stands still.
 import type { FewestProgress, MapBounds, Maneuver, ParkAnswer, Pose, Scene, Snug } from "snug";
 import { drivingOf, goalOf, placeOf, type Inputs } from "./inputs";
-import { carCorners } from "./geometry";
 import { later } from "./later";
 import type { Asker, Slice } from "./questions";
 import { createStreetMap, type Seen } from "./street_map";
@@ -21,6 +20,8 @@ export interface Parking {
     /** The map's. */
     bounds: MapBounds | null;
     way: Maneuver | null;
+    /** Where the car stood when they were looked up. */
+    lookedAt: Pose | null;
     /** Of the last slice that came. */
     painted: { slice: Slice; counts: NonNullable<Seen["counts"]> } | null;
     exact: ParkAnswer | null;
@@ -34,6 +35,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         pose: { x: 0, y: 0, heading: 0 },
         bounds: null,
         way: null,
+        lookedAt: null,
         painted: null,
         exact: null,
         soFar: null,
@@ -42,19 +44,23 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
     let place = "";
     let asked = "";
     let wanted: Inputs | null = null;
-    let sliced = "";
+    /** The slice that came last. */
+    let painted = "";
     const soonExact = later(120);
 
     const map = createStreetMap(questions, {
         ready: () => {
-            sliced = "";
+            painted = "";
             look();
             listener.changed();
         },
         seen: ({ pose, slice }, { bounds, way, counts }) => {
             state.trouble = "";
-            if (pose === state.pose) Object.assign(state, { bounds, way });
-            if (slice && counts) state.painted = { slice, counts };
+            if (pose === state.pose) Object.assign(state, { bounds, way, lookedAt: pose });
+            if (slice && counts) {
+                state.painted = { slice, counts };
+                painted = JSON.stringify(slice);
+            }
             listener.changed();
         },
         failed: (sentence) => {
@@ -66,9 +72,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
 
     const look = () => {
         const slice = listener.slice(state.pose.heading);
-        const key = JSON.stringify(slice);
-        map.look({ pose: state.pose, slice: key === sliced ? null : slice });
-        sliced = key;
+        map.look({ pose: state.pose, slice: JSON.stringify(slice) === painted ? null : slice });
     };
 
     const caseOf = (inputs: Inputs) => ({
@@ -130,9 +134,10 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         return true;
     };
 
-    /** The picture shows something else of the street, or more finely. */
+    /** After drawing: the picture may show something else of the street, or more finely. */
     const again = () => {
-        if (wanted) look();
+        const slice = listener.slice(state.pose.heading);
+        if (slice && !map.looking() && JSON.stringify(slice) !== painted) look();
     };
-    return { state, ask, again, map, corners: () => wanted && carCorners(wanted.car, state.pose) };
+    return { state, ask, again, map };
 }

@@ -324,7 +324,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
             slider(gripOf.rear, { x: slot.x_min - inward, y: middle }, along);
             slider(gripOf.front, { x: slot.x_max + inward, y: middle }, along);
             const deepest = out > 0 ? slot.y_min : slot.y_max;
-            slider(gripOf.curb, { x: (slot.x_min + slot.x_max) / 2, y: deepest }, street.angle === 0 ? metres(street.width, 0.3, 10) : metres(street.length, 0.5, 40), [0, 17]);
+            slider(gripOf.curb, { x: slot.x_min + 0.22 * (slot.x_max - slot.x_min), y: deepest }, street.angle === 0 ? metres(street.width, 0.3, 10) : metres(street.length, 0.5, 40), [0, 17]);
             gripOf.far.style.display = street.road === null ? "none" : "";
             if (street.road !== null) slider(gripOf.far, { x: slot.x_min - 0.35 * s.car.front, y: out * street.road }, metres(street.road, 0.5, 30), [0, -6]);
             if (street.angle === 0) {

@@ -92,6 +92,7 @@ export function createStreetMap(questions: Asker, listener: Listener) {
     return {
         set,
         look,
+        looking: () => looking !== 0,
         times,
         /** Null: none yet. `current`: of the place that was set last. */
         state: () => held && { ...held, current: held.key === key, finest: held.level === levels.length - 1 },

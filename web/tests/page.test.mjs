@@ -30,7 +30,7 @@ const type = async (page, field, value) => {
 const proved = (page) => page.waitForFunction(() => document.getElementById("count-note").textContent.startsWith("Proved"));
 
 test("each car of the catalogue has the command's answer, backward on the right and forward on the left", async () => {
-    const page = await site.page();
+    const page = await site.page({ path: "#mode=entry" });
     for (const { name } of await page.evaluate(() => window.snugPage.snug.cars())) {
         await page.selectOption("#car", name);
         for (const [side, enter, length, width] of [["right", "backward", "6.3", "2.3"], ["left", "forward", "9", "4"]]) {
@@ -46,7 +46,7 @@ test("each car of the catalogue has the command's answer, backward on the right 
 });
 
 test("dragging the rear neighbour until the answer changes", async () => {
-    const page = await site.page();
+    const page = await site.page({ path: "#mode=entry" });
     const before = Number(await text(page, "count"));
     const grip = await page.locator('[data-grip="rear"] .knob').boundingBox();
     const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
@@ -86,7 +86,7 @@ test("dragging over slots that are too tight ends with the exact answer", async 
 });
 
 test("dragging the front neighbour, the curb and the heading", async () => {
-    const page = await site.page();
+    const page = await site.page({ path: "#mode=entry" });
     const start = await inputs(page);
     const drag = async (what, dx, dy) => {
         const grip = await page.locator(`[data-grip="${what}"] .knob`).boundingBox();
@@ -180,14 +180,14 @@ test("the maps say what the answer says, and their point is the slot", async () 
 });
 
 test("a link brings everything back", async () => {
-    const page = await site.page();
+    const page = await site.page({ path: "#mode=entry" });
     await page.selectOption("#car", "vw-transporter");
     await choose(page, "side", "left");
     await type(page, "length", "6.4");
     await type(page, "width", "2,35");
     await type(page, "clearance", "0.02");
     await type(page, "heading", "24.5");
-    await page.locator("summary").click();
+    await page.locator("#dimensions summary").click();
     await type(page, "car-wheelbase", "3.3");
     await page.waitForFunction(() => location.hash.includes("wheelbase=3.3"));
     const hash = new URL(page.url()).hash;
@@ -234,10 +234,10 @@ test("what is downloaded can be read", async () => {
 });
 
 test("bad numbers are explained next to their field, and the last good picture stays", async () => {
-    const page = await site.page();
+    const page = await site.page({ path: "#mode=entry" });
     const count = await text(page, "count");
     const street = await page.locator("#drawing .street").innerHTML();
-    for (const nonsense of ["", "4.", "-", "abc", "1e999", "NaN", "0", "-3", "1e6", "4,5,6", "<b>5</b>", "💥", "4.5 m", "9".repeat(40)]) {
+    for (const nonsense of ["", "4.", "-", "abc", "1e999", "NaN", "0", "-3", "1e6", "4,5,6", "<b>5</b>", "💥", "4.5 kg", "9".repeat(40)]) {
         await type(page, "length", "4.9");
         await type(page, "length", nonsense);
         if (nonsense === "4.") continue; // half-typed, and a number: four metres
@@ -254,7 +254,7 @@ test("bad numbers are explained next to their field, and the last good picture s
     assert.equal(await text(page, "length-error"), "");
     await type(page, "length", "5.5");
     // The smallest and the largest numbers the page takes.
-    await page.locator("summary").click();
+    await page.locator("#dimensions summary").click();
     for (const [field, values] of Object.entries({ length: ["0.5", "40"], width: ["0.3", "10"], "car-width": ["0.3", "6"], "car-rear": ["0.05", "12"],
         "car-wheelbase": ["0.3"], "car-front": ["0.3", "25"], "car-steer": ["5", "80"], clearance: ["1", "0"], heading: ["0", "90"] }))
         for (const value of values) {
@@ -266,7 +266,7 @@ test("bad numbers are explained next to their field, and the last good picture s
 });
 
 test("random inputs never stop the page or break it", async () => {
-    const page = await site.page();
+    const page = await site.page({ path: "#mode=entry" });
     const counts = await page.evaluate(async () => {
         let seed = 66;
         const next = () => ((seed = (seed * 1103515245 + 12345) % 2147483648), seed / 2147483648);
@@ -318,7 +318,7 @@ test("without WebAssembly there is a sentence", async () => {
 });
 
 test("the keyboard alone reaches and changes everything", async () => {
-    const page = await site.page();
+    const page = await site.page({ path: "#mode=entry" });
     const reached = new Set();
     for (let i = 0; i < 60; ++i) {
         await page.keyboard.press("Tab");
@@ -368,7 +368,7 @@ test("on a phone the answer is on the first screen, and a long list of moves sho
 });
 
 test("touch drags the curb on a phone, and nothing is wider than its screen", async () => {
-    const page = await site.page({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+    const page = await site.page({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, path: "#mode=entry" });
     const client = await page.context().newCDPSession(page);
     const { width } = await inputs(page);
     const grip = await page.locator('[data-grip="curb"] .knob').boundingBox();
