@@ -180,6 +180,7 @@ export function createPlayer(show: (pose: Pose, steer: number) => void) {
         halt();
         played = next;
         times = timeline(next?.track ?? { legs: [], length: 0 });
+        document.documentElement.dataset.seconds = String(times.seconds); // for the tests of the page
         for (const id of ["play", "scrub", "previous", "next"]) byId<HTMLButtonElement>(id).disabled = !next;
         byId("maneuver").hidden = !next;
         if (!next) {

@@ -49,6 +49,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
     const { at, polygon, path, stand } = drawn;
     let size = { width: 0, height: 0 };
     let drag: { what: Drag; last: Point; pose: Pose; offset: Point } | null = null;
+    let measuresLeft = false;
     let shown: { pose: Pose; steer: number } | null = null;
 
     const title = root.appendChild(svg("title", {}));
@@ -331,7 +332,9 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
                 const ends = [at({ x: slot.x_min, y: deepest }), at({ x: slot.x_max, y: deepest })].sort((a, b) => a[0] - b[0]) as [[number, number], [number, number]];
                 measures.push(dimension(ends[0], ends[1], [0, Math.min(0.55 * view.scale, size.height - ends[0][1] - 10)], `${street.length.toFixed(3)} m`));
             }
-            const x = size.width - 22;
+            // Where the car is not.
+            if (!drag) measuresLeft = at(s.pose)[0] > size.width / 2;
+            const x = measuresLeft ? 26 : size.width - 22;
             measures.push(dimension([x, at({ x: 0, y: deepest })[1]], [x, at({ x: 0, y: 0 })[1]], [0, 0], `${(street.angle === 0 ? street.width : slot.y_max - slot.y_min).toFixed(3)} m`));
             if (street.road !== null) measures.push(dimension([x, at({ x: 0, y: 0 })[1]], [x, at({ x: 0, y: out * street.road })[1]], [0, 0], `${street.road.toFixed(2)} m`));
         }
