@@ -15,7 +15,7 @@ const round = (value: number) => Number(value.toFixed(2));
 /** A slot or bay as wide and deep as they usually are for this car. */
 export function usualSlot(car: Car, angle: number) {
     const long = car.front + car.rear;
-    return angle === 0 ? { length: round(long + 0.82), width: round(car.width + 0.23) } : { length: round(long + 0.6), width: round(car.width + 0.73) };
+    return angle === 0 ? { length: round(1.2 * long), width: round(car.width + 0.25) } : { length: round(long + 0.6), width: round(car.width + 0.73) };
 }
 const angles: Record<string, number> = { parallel: 0, angled: 60, perpendicular: 90 };
 export const kindOf = (angle: number) => (angle === 0 ? "parallel" : angle === 90 ? "perpendicular" : "angled");

@@ -147,6 +147,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
     });
 
     const soonLink = later(300);
+    let linked = "";
     function frame() {
         due = false;
         const mine = inStreet();
@@ -174,10 +175,10 @@ function run(snug: Snug, module: WebAssembly.Module) {
         fields.show();
         choices.show();
         share.show();
-        soonLink(() => {
-            const mine = `#${toLink(inputs)}`;
-            if (location.hash !== mine) history.replaceState(null, "", mine);
-        });
+        const link = `#${toLink(inputs)}`;
+        if (link === linked) return;
+        linked = link;
+        soonLink(() => history.replaceState(null, "", link));
     }
 
     const near = (obstacles: Obstacle[]) => (pose: Pose) => {
@@ -275,6 +276,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
     byId("inputs").addEventListener("input", () => (complaints = []));
     const follow = () => {
         const link = fromLink(location.hash.slice(1), usual, catalogue);
+        linked = "";
         inputs = link.inputs;
         complaints = link.complaints.filter(({ field }) => !field).map(({ sentence }) => sentence);
         frame();
