@@ -45,6 +45,7 @@ const sameAsCommand = async (page, what) => {
     return found;
 };
 const middle = async (page, grip) => {
+    await page.evaluate(() => scrollTo(0, 0));
     const { x, y, width, height } = await page.locator(`#street [data-grip="${grip}"] ${grip === "car" ? ".reach" : ".knob"}`).boundingBox();
     return [x + width / 2, y + height / 2];
 };
