@@ -1,15 +1,25 @@
 // Two static pages; the solver comes from build/wasm, where bindings/wasm puts it.
 import { fileURLToPath } from "node:url";
-import { defineConfig } from "vite";
+import { defineConfig, transformWithEsbuild } from "vite";
 
 const file = (path) => fileURLToPath(new URL(path, import.meta.url));
 const solver = process.env.SNUG_WASM ?? file("../build/wasm");
 
+/** The solver's glue is a file of its own, which page and workers load: rollup does not see into it. */
+const minifiedGlue = {
+    name: "minified-glue",
+    async generateBundle(_, bundle) {
+        for (const file of Object.values(bundle))
+            if (file.fileName.endsWith(".mjs")) file.source = (await transformWithEsbuild(String(file.source), file.fileName, { minify: true })).code;
+    },
+};
+
 export default defineConfig({
     base: "./",
+    plugins: [minifiedGlue],
     resolve: {
         alias: [
-            { find: /^snug$/, replacement: `${solver}/snug.mjs` },
+            { find: /^snug\.mjs/, replacement: `${solver}/snug.mjs` },
             { find: /^snug\.wasm/, replacement: `${solver}/snug.wasm` },
         ],
     },

@@ -222,7 +222,12 @@ export interface Scene {
     region?: { x_min: number; x_max: number; y_min: number; y_max: number };
 }
 
-export interface ParkOptions extends FewestOptions {
+/** Where the car is to stand: in the bay (the usual), or out of it on the road. */
+interface Goal {
+    goal?: "bay" | "road";
+}
+
+export interface ParkOptions extends FewestOptions, Goal {
     /** Without it, where the scene says, or beside the front neighbour; past a bay. */
     start?: Pose;
 }
@@ -254,7 +259,7 @@ export interface ParkAnswer {
     alternatives?: ParkManeuver[];
 }
 
-export interface ParkMapOptions {
+export interface ParkMapOptions extends Goal {
     clearance?: number;
     curb_clearance?: number;
     enter?: "backward" | "forward";
@@ -322,6 +327,12 @@ export interface Snug {
     park(car: CarLike, place: StreetLike | Scene, options?: ParkOptions): ParkAnswer;
     /** The same from every pose, swept once. */
     parkMap(car: CarLike, place: StreetLike | Scene, options?: ParkMapOptions): ParkMap;
+    /** A street's bay and its usual start, or a scene, with everything a picture needs. */
+    scene(car: CarLike, place: StreetLike | Scene, options?: ParkOptions): Scene;
+    /** What a scene file says, or a case of TPCAP where the name ends in .csv. */
+    readScene(text: string, name: string): Scene;
+    /** A car as it is understood, with `front`, `rear` and `max_steer`. */
+    car(car: CarLike): Car;
     /** How much the slot lacks to hold the car at all. */
     shortfall(car: CarLike, slot: SlotLike, options?: { clearance?: number }): { length: number; width: number };
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "snug/io.hpp"
+#include "snug/leave.hpp"
 #include "snug/scene.hpp"
 #include "snug/snug.hpp"
 
@@ -127,6 +128,11 @@ val cars() {
         for (const Car& car : catalogue()) list.push_back(as_json(car));
         return as_object(list);
     });
+}
+
+/// A car as it is understood: by its name, or from what a car file says.
+val car_question(const val& given_car) {
+    return answered([&] { return as_object(as_json(car_from(given_car))); });
 }
 
 val entry_question(const val& given_car, const val& given_slot, const val& given_options) {
@@ -266,6 +272,29 @@ std::optional<Pose> pose_given(const val& object, const char* key) {
     return Pose{number(*pose, "x"), number(*pose, "y"), number_given(*pose, "heading").value_or(0.0)};
 }
 
+/// Where the car is to stand: in the bay, or out of it on the road.
+Place place_of(const Street& street, const val& options) {
+    return second_word(options, "goal", "bay", "road") ? road_place(street) : street_place(street);
+}
+
+/// Any place with a start as a scene, that it may be drawn: a street's bay, or the scene given.
+val scene_question(const val& given_car, const val& given_place, const val& given_options) {
+    return answered([&] {
+        const Car car = car_from(given_car);
+        if (const std::optional<Scene> scene = scene_from(given_place)) return as_object(as_json(*scene));
+        const Street street = street_from(given_place, given_options);
+        return as_object(as_json(Scene{street_place(street), standard_start(street, car)}));
+    });
+}
+
+/// The text of a scene file, or of a case of TPCAP where the file's name ends in .csv.
+val read_scene_question(const std::string& text, const std::string& name) {
+    return answered([&] {
+        const bool is_case = name.size() >= 4 && name.substr(name.size() - 4) == ".csv";
+        return as_object(as_json(is_case ? scene_from_csv(text, name) : scene_from_json(text, name)));
+    });
+}
+
 val park_question(const val& given_car, const val& given_place, const val& given_options) {
     return answered([&] {
         const Car car = car_from(given_car);
@@ -284,7 +313,8 @@ val park_question(const val& given_car, const val& given_place, const val& given
         }
         const Street street = street_from(given_place, given_options);
         const Pose from = start ? *start : standard_start(street, car);
-        return as_object(park_as_json(car, street, from, options, park(car, street_place(street), from, options)));
+        return as_object(
+            park_as_json(car, street, from, options, park(car, place_of(street, given_options), from, options)));
     });
 }
 
@@ -368,7 +398,9 @@ val map_question(const val& given_car, const val& given_place, const val& given_
             if (!options.heading) options.heading = scene->start.heading;
             return val(MapForPage(ParkMap(car, scene->place, options)));
         }
-        return val(MapForPage(ParkMap(car, street_from(given_place, given_options), options)));
+        const Street street = street_from(given_place, given_options);
+        if (!options.heading) options.heading = street.heading;
+        return val(MapForPage(ParkMap(car, place_of(street, given_options), options)));
     });
 }
 
@@ -399,6 +431,9 @@ EMSCRIPTEN_BINDINGS(snug) {
     with_options<&shortfall_question>("shortfall");
     with_options<&park_question>("park");
     with_options<&map_question>("parkMap");
+    with_options<&scene_question>("scene");
+    emscripten::function("readScene", &read_scene_question);
+    emscripten::function("car", &car_question);
     emscripten::class_<MapForPage>("ParkMap")
         .function("at", &MapForPage::at)
         .function("maneuver", &MapForPage::maneuver)

@@ -32,7 +32,7 @@ export function createAnswers(snug: Snug, questions: Asker, listener: Listener) 
     const soonRanges = later(80);
 
     const askFewest = (inputs: Inputs) =>
-        questions.ask("fewest", "fewest", { car: inputs.car, ...slotOf(inputs), ...drivingOf(inputs) }, (told) => {
+        questions.ask("fewest", "fewest", { car: inputs.car, slot: slotOf(inputs), ...drivingOf(inputs) }, (told) => {
             if ("error" in told) {
                 listener.failed(told.error);
                 return;
@@ -57,7 +57,7 @@ export function createAnswers(snug: Snug, questions: Asker, listener: Listener) 
             return;
         }
         looking = true;
-        questions.ask("entry", "entry", { car: inputs.car, ...slotOf(inputs), ...drivingOf(inputs) }, (told) => {
+        questions.ask("entry", "entry", { car: inputs.car, slot: slotOf(inputs), ...drivingOf(inputs) }, (told) => {
             looking = false;
             if (question === asked) {
                 if ("error" in told) listener.failed(told.error);

@@ -1,6 +1,6 @@
 // What is chosen rather than typed: the car, and the ways to park it.
 import type { Car } from "snug";
-import { byId, html } from "./dom";
+import { byId, html, setText } from "./dom";
 import type { Inputs } from "./inputs";
 
 const titles: Record<string, string> = {
@@ -10,6 +10,20 @@ const titles: Record<string, string> = {
     "vw-transporter": "VW Transporter",
     "mercedes-amg-gt": "Mercedes-AMG GT",
 };
+
+const round = (value: number) => Number(value.toFixed(2));
+/** A slot or bay as wide and deep as they usually are for this car. */
+export function usualSlot(car: Car, angle: number) {
+    const long = car.front + car.rear;
+    return angle === 0 ? { length: round(1.2 * long), width: round(car.width + 0.25) } : { length: round(long + 0.6), width: round(car.width + 0.73) };
+}
+const angles: Record<string, number> = { parallel: 0, angled: 60, perpendicular: 90 };
+export const kindOf = (angle: number) => (angle === 0 ? "parallel" : angle === 90 ? "perpendicular" : "angled");
+function withKind(inputs: Inputs, kind: string): Inputs {
+    const angle = angles[kind]!;
+    const same = (inputs.angle === 0) === (angle === 0);
+    return { ...inputs, angle, pose: null, scene: null, ...(same ? {} : usualSlot(inputs.car, angle)) };
+}
 
 export function createChoices(catalogue: Car[], inputs: () => Inputs, change: (next: Inputs) => void) {
     const cars = byId<HTMLSelectElement>("car");
@@ -28,16 +42,23 @@ export function createChoices(catalogue: Car[], inputs: () => Inputs, change: (n
     });
     const form = byId("inputs");
     form.addEventListener("submit", (event) => event.preventDefault());
-    form.addEventListener("change", (event) => {
+    document.querySelector("main")!.addEventListener("change", (event) => {
         const { name, value, type } = event.target as HTMLInputElement;
-        if (type === "radio") change({ ...inputs(), [name]: value });
+        if (type !== "radio") return;
+        if (name === "kind") change(withKind(inputs(), value));
+        else change({ ...inputs(), [name]: value, ...(name === "way" || name === "enter" || name === "side" ? { pose: null } : {}) });
     });
 
     const show = () => {
         const now = inputs();
         cars.value = now.car.name ?? "";
-        for (const name of ["side", "enter", "strategy"] as const)
-            for (const radio of form.querySelectorAll<HTMLInputElement>(`input[name=${name}]`)) radio.checked = radio.value === now[name];
+        const kind = now.scene ? "" : kindOf(now.angle);
+        for (const radio of document.querySelectorAll<HTMLInputElement>("input[type=radio]")) {
+            const name = radio.name as "side";
+            radio.checked = radio.value === (radio.name === "kind" ? kind : now[name]);
+        }
+        const bay = now.mode === "street" && now.angle > 0;
+        setText(byId("in-tail"), bay ? "tail first" : "backward");
     };
     return { show };
 }

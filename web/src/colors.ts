@@ -13,3 +13,6 @@ const steps: [most: number, color: string, label: string][] = [
 
 export const countColor = (changes: number) => steps.find(([most]) => changes <= most)![1];
 export const legend = steps.map(([, color, label]) => ({ color, label }));
+
+/** More than are counted: not impossible, which is hatched. */
+export const moreColor = "#8d8791";

@@ -1,15 +1,19 @@
 // The street from above, to scale, and the handles that change it. Drawn in the slot's frame with the road at the top; a
 // slot on the left is seen by a car that drives to the left, so nothing is mirrored.
-import type { Car, HeadingRange, Pose } from "snug";
+import type { HeadingRange, Pose } from "snug";
 import { countColor } from "./colors";
 import { set, setText, svg } from "./dom";
-import { clamp, corners, degrees, samples, type Point, type Track } from "./geometry";
+import { carCorners, clamp, degrees, samples, type Point, type Shape, type Track } from "./geometry";
+import { carShape, createVehicle, dimension, pen, round, type View } from "./view";
 import { plural } from "./words";
 
 export interface Scene {
-    car: Car;
+    car: Shape;
     length: number;
     width: number;
+    frontSetback: number;
+    rearSetback: number;
+    low: boolean;
     left: boolean;
     forward: boolean;
     clearance: number;
@@ -30,29 +34,13 @@ export interface Handles {
     released(): void;
 }
 
-/** From the slot's frame to the picture. */
-interface View {
-    scale: number;
-    x0: number;
-    y0: number;
-    flip: number;
-}
-
 type Drag = "rear" | "front" | "curb" | "heading";
-
-const bodyPath =
-    "M.08-1L.84-1C.945-1 .982-.9 .988-.58C1.004-.2 1.004 .2 .988 .58C.982 .9 .945 1 .84 1L.08 1C.03 1 .008 .93 .005 .66" +
-    "C-.002 .25-.002-.25 .005-.66C.008-.93 .03-1 .08-1Z";
-const glassPath =
-    "M.69-.8C.735-.4 .735 .4 .69 .8C.64 .87 .58 .88 .5 .88L.26 .88C.18 .88 .14 .84 .09 .72C.07 .3 .07-.3 .09-.72" +
-    "C.14-.84 .18-.88 .26-.88L.5-.88C.58-.88 .64-.87 .69-.8ZM.595-.7C.625-.35 .625 .35 .595 .7L.19 .68" +
-    "C.165 .35 .165-.35 .19-.68Z";
-
-const round = (value: number) => value.toFixed(2);
 
 export function createDrawing(root: SVGSVGElement, handles: Handles) {
     let scene: Scene | null = null;
-    let view: View = { scale: 50, x0: 0, y0: 0, flip: 1 };
+    const view: View = { scale: 50, x0: 0, y0: 0, fx: 1, fy: 1 };
+    const drawn = pen(view);
+    const { at, polygon, path, box, stand } = drawn;
     let drag: { what: Drag; grab: number } | null = null;
     let size = { width: 0, height: 0 };
     let shown: { pose: Pose; steer: number } | null = null;
@@ -67,15 +55,9 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     const grips = layer("grips");
 
     // --- what stays and only moves
-    const carShape = (kind: string) =>
-        svg("g", { class: kind }, svg("path", { d: bodyPath, class: "body" }), svg("path", { d: glassPath, class: "glass" }));
     const rearCar = neighbours.appendChild(carShape("neighbour"));
     const frontCar = neighbours.appendChild(carShape("neighbour"));
-    const wheels = [0, 1, 2, 3].map(() => vehicle.appendChild(svg("path", { class: "wheel" })));
-    const body = vehicle.appendChild(carShape("car"));
-    const outline = vehicle.appendChild(svg("path", { class: "frame" }));
-    const axle = vehicle.appendChild(svg("path", { class: "axle" }));
-    const kept = vehicle.appendChild(svg("path", { class: "kept" }));
+    const vehicleAt = createVehicle(vehicle, drawn, view);
 
     const grip = (what: Drag, label: string) => {
         const element = svg(
@@ -96,25 +78,6 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     const curbGrip = grip("curb", "Curb: width of the slot");
     const headingGrip = grip("heading", "Entry heading");
 
-    const at = (p: Point): [number, number] => [view.x0 + view.flip * p.x * view.scale, view.y0 - p.y * view.scale];
-    const to = (p: Point) => at(p).map(round).join(" ");
-    const polygon = (points: Point[]) => `M${points.map(to).join("L")}Z`;
-    const path = (points: Point[]) => `M${points.map(to).join("L")}`;
-    const box = (x1: number, y1: number, x2: number, y2: number) =>
-        polygon([{ x: x1, y: y1 }, { x: x2, y: y1 }, { x: x2, y: y2 }, { x: x1, y: y2 }]);
-
-    /** A car shape standing at a pose: x from the rear to the front, y to its left. */
-    const place = (element: SVGElement, car: Pick<Car, "front" | "rear" | "width">, pose: Pose) => {
-        const k = view.scale;
-        const c = Math.cos(pose.heading);
-        const s = Math.sin(pose.heading);
-        const long = (car.front + car.rear) * k;
-        const half = (car.width / 2) * k;
-        const [x, y] = at({ x: pose.x - car.rear * c, y: pose.y - car.rear * s });
-        const f = view.flip;
-        set(element, { transform: `matrix(${[f * c * long, -s * long, -f * s * half, -c * half, x, y].map((v) => v.toFixed(4)).join(" ")})` });
-    };
-
     const fit = (s: Scene) => {
         const narrow = size.width < 600;
         // On a narrow screen the room goes to the side where the protractor is.
@@ -125,13 +88,13 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         if (!(scale > 0)) return; // no room at all
         const spare = size.height / scale - (s.width + above + below);
         view.scale = scale;
-        view.flip = s.left ? -1 : 1;
-        view.x0 = size.width / 2 + (view.flip * (s.length * scale + behind - ahead)) / 2;
+        view.fx = s.left ? -1 : 1;
+        view.x0 = size.width / 2 + (view.fx * (s.length * scale + behind - ahead)) / 2;
         view.y0 = (above + spare * 0.55) * scale;
     };
 
     const bounds = () => {
-        const xs = [-view.x0, size.width - view.x0].map((x) => (view.flip * x) / view.scale);
+        const xs = [-view.x0, size.width - view.x0].map((x) => (view.fx * x) / view.scale);
         return { left: Math.min(...xs), right: Math.max(...xs), top: view.y0 / view.scale, bottom: -(size.height - view.y0) / view.scale };
     };
 
@@ -144,11 +107,11 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         for (let y = Math.ceil(edge.bottom); y <= edge.top; ++y) grid += path([{ x: edge.left, y }, { x: edge.right, y }]);
         parts.push(
             svg("path", { class: "sidewalk", d: box(edge.left, -s.width, edge.right, edge.bottom) }),
-            svg("path", { class: "blocked", d: box(edge.left, 0, -s.length, -s.width) + box(0, 0, edge.right, -s.width) }),
+            svg("path", { class: "blocked", d: box(edge.left, -s.rearSetback, -s.length, -s.width) + box(0, -s.frontSetback, edge.right, -s.width) }),
             svg("path", { class: "floor", d: box(-s.length, 0, 0, -s.width) }),
             svg("path", { class: "grid", d: view.scale > 12 ? grid : "" }),
             svg("path", { class: "lane", d: path([{ x: edge.left, y: lane }, { x: edge.right, y: lane }]) }),
-            svg("path", { class: "curb", d: path([{ x: edge.left, y: -s.width }, { x: edge.right, y: -s.width }]) }),
+            svg("path", { class: s.low ? "curb low" : "curb", d: path([{ x: edge.left, y: -s.width }, { x: edge.right, y: -s.width }]) }),
             svg("path", {
                 class: "slot",
                 d: path([{ x: -s.length, y: 0 }, { x: -s.length, y: -s.width }, { x: 0, y: -s.width }, { x: 0, y: 0 }]),
@@ -157,9 +120,13 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         );
         street.replaceChildren(...parts);
         const other = { rear: 0.8, front: 3.5, width: clamp(1.78, 0, s.width * 0.92) };
-        const y = -other.width / 2 - Math.min(0.02, s.width * 0.02);
-        place(frontCar, other, { x: other.rear, y, heading: 0 });
-        place(rearCar, other, { x: -s.length - other.front, y, heading: 0 });
+        const beside = (setback: number) => {
+            const width = Math.min(other.width, Math.max(s.width - setback, 0.2));
+            return { car: { ...other, width }, y: -setback - width / 2 - Math.min(0.02, s.width * 0.02) };
+        };
+        const [front, rear] = [beside(s.frontSetback), beside(s.rearSetback)];
+        stand(frontCar, front.car, { x: other.rear, y: front.y, heading: 0 });
+        stand(rearCar, rear.car, { x: -s.length - other.front, y: rear.y, heading: 0 });
     };
 
     // --- the protractor on which the entry headings lie
@@ -210,13 +177,13 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         if (s.track && s.track.legs.length > 0) {
             const poses = s.track.legs.map((leg) => samples(s.car, leg, drag ? 0.04 : 0.015));
             if (s.swept) {
-                const frames = poses.flat().map((pose) => polygon(corners(s.car, pose)));
+                const frames = poses.flat().map((pose) => polygon(carCorners(s.car, pose)));
                 parts.push(svg("path", { class: "swept", d: frames.join("") }));
             }
-            const ends = s.track.legs.slice(0, -1).map((leg) => polygon(corners(s.car, leg.end)));
+            const ends = s.track.legs.slice(0, -1).map((leg) => polygon(carCorners(s.car, leg.end)));
             parts.push(svg("path", { class: "ghosts", d: ends.join("") }));
-            parts.push(svg("path", { class: "entry-frame", d: polygon(corners(s.car, s.track.legs[0]!.start)) }));
-            if (s.parked) parts.push(svg("path", { class: "goal-frame", d: polygon(corners(s.car, s.track.legs.at(-1)!.end)) }));
+            parts.push(svg("path", { class: "entry-frame", d: polygon(carCorners(s.car, s.track.legs[0]!.start)) }));
+            if (s.parked) parts.push(svg("path", { class: "goal-frame", d: polygon(carCorners(s.car, s.track.legs.at(-1)!.end)) }));
             for (const backward of [true, false]) {
                 const d = poses.filter((_, i) => s.track!.legs[i]!.backward === backward).map(path).join("");
                 if (d) parts.push(svg("path", { class: backward ? "path backward" : "path forward", d }));
@@ -225,42 +192,6 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         const [x, y] = at(fanCentre(s));
         parts.push(svg("circle", { class: "corner", cx: round(x), cy: round(y), r: 3.5 }));
         trail.replaceChildren(...parts);
-    };
-
-    /** A dimension line between two points, `off` pixels from them, as on an engineering drawing. */
-    const dimension = (from: [number, number], till: [number, number], off: [number, number], text: string) => {
-        const [ax, ay] = [from[0] + off[0], from[1] + off[1]];
-        const [bx, by] = [till[0] + off[0], till[1] + off[1]];
-        const long = Math.hypot(bx - ax, by - ay) || 1;
-        const [ux, uy] = [(bx - ax) / long, (by - ay) / long];
-        const head = (x: number, y: number, d: number) =>
-            `M${round(x)} ${round(y)}L${round(x + d * (8 * ux - 2.6 * uy))} ${round(y + d * (8 * uy + 2.6 * ux))}` +
-            `L${round(x + d * (8 * ux + 2.6 * uy))} ${round(y + d * (8 * uy - 2.6 * ux))}Z`;
-        const upright = Math.abs(uy) > Math.abs(ux);
-        const [mx, my] = [(ax + bx) / 2, (ay + by) / 2];
-        const reach = (p: number, q: number) => q + Math.sign(q - p) * 5;
-        return svg(
-            "g",
-            {},
-            svg("path", {
-                class: "extension",
-                d: `M${round(from[0])} ${round(from[1])}L${round(reach(from[0], ax))} ${round(reach(from[1], ay))}M${round(till[0])} ${round(till[1])}L${round(reach(till[0], bx))} ${round(reach(till[1], by))}`,
-            }),
-            svg("path", { class: "line", d: `M${round(ax)} ${round(ay)}L${round(bx)} ${round(by)}` }),
-            svg("path", { class: "head", d: head(ax, ay, 1) + head(bx, by, -1) }),
-            svg(
-                "text",
-                {
-                    class: "measure",
-                    x: round(mx),
-                    y: round(my),
-                    dy: upright ? "-0.45em" : "-0.4em",
-                    "text-anchor": "middle",
-                    transform: upright ? `rotate(-90 ${round(mx)} ${round(my)})` : null,
-                },
-                text,
-            ),
-        );
     };
 
     const drawDimensions = (s: Scene) => {
@@ -301,7 +232,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         if (!drag) fit(next);
         else if (drag.what === "front") {
             // The corner the scene hangs on is the one being dragged: keep the rear neighbour where it is.
-            view.x0 = dragAnchor + view.flip * next.length * view.scale;
+            view.x0 = dragAnchor + view.fx * next.length * view.scale;
         }
         drawStreet(next);
         drawFan(next);
@@ -315,38 +246,14 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     const showCar = (pose: Pose, steer: number) => {
         shown = { pose, steer };
         if (!scene || size.width === 0) return;
-        const { car } = scene;
-        place(body, car, pose);
-        set(outline, { d: polygon(corners(car, pose)) });
-        set(kept, { d: scene.clearance > 0 ? polygon(corners(car, pose, scene.clearance)) : "" });
-        const c = Math.cos(pose.heading);
-        const s = Math.sin(pose.heading);
-        const local = (ahead: number, left: number): Point => ({ x: pose.x + ahead * c - left * s, y: pose.y + ahead * s + left * c });
-        const [long, wide] = [0.065 * (car.front + car.rear), 0.05 * car.width];
-        const beside = car.width / 2 - 2.4 * wide;
-        const places: [number, number, number][] = [
-            [0, beside, 0],
-            [0, -beside, 0],
-            [Math.min(car.wheelbase, car.front), beside, steer],
-            [Math.min(car.wheelbase, car.front), -beside, steer],
-        ];
-        places.forEach(([ahead, left, turn], i) => {
-            const [tc, ts] = [Math.cos(turn), Math.sin(turn)];
-            const corner = (u: number, v: number) => local(ahead + u * tc - v * ts, left + u * ts + v * tc);
-            set(wheels[i]!, { d: polygon([corner(long, wide), corner(-long, wide), corner(-long, -wide), corner(long, -wide)]) });
-        });
-        const arm = 5 / view.scale;
-        set(axle, { d: path([local(-arm, 0), local(arm, 0)]) + path([local(0, -arm), local(0, arm)]) });
+        vehicleAt(scene.car, pose, steer, scene.clearance);
     };
 
     // --- dragging
     let dragAnchor = 0;
     const pointer = (event: PointerEvent): Point => {
         const frame = root.getBoundingClientRect();
-        return {
-            x: (view.flip * (event.clientX - frame.left - view.x0)) / view.scale,
-            y: (view.y0 - (event.clientY - frame.top)) / view.scale,
-        };
+        return drawn.ground(event.clientX - frame.left, event.clientY - frame.top);
     };
     const snap = (value: number) => Math.round(value * 200) / 200; // 5 mm
 
@@ -364,7 +271,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         event.preventDefault();
         root.setPointerCapture(event.pointerId);
         const p = pointer(event);
-        dragAnchor = view.x0 - view.flip * scene.length * view.scale;
+        dragAnchor = view.x0 - view.fx * scene.length * view.scale;
         const grab = { rear: p.x + scene.length, front: p.x, curb: p.y + scene.width, heading: 0 }[grabbed];
         drag = { what: grabbed, grab };
         root.classList.add("dragging");

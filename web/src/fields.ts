@@ -1,17 +1,16 @@
 // The fields for numbers: what is typed becomes an input, or a sentence beside the field that says what is wrong.
 import { byId, html, set, setText } from "./dom";
-import { carNumberFields, fieldValue, parseNumber, plain, withField, within, type Inputs, type NumberField } from "./inputs";
+import { carTrouble, fields as table, fieldValue, parseNumber, plain, withField, within, type Inputs, type NumberField } from "./inputs";
 
-const titles: Record<NumberField, string> = {
-    length: "Length [m]",
-    width: "Width [m]",
-    clearance: "Clearance [m]",
-    heading: "Heading [°]",
-    "car-width": "Width [m]",
-    "car-front": "Front [m]",
-    "car-rear": "Rear [m]",
-    "car-wheelbase": "Wheelbase [m]",
-    "car-steer": "Steering [°]",
+/** Which fields stand where. */
+const places: Record<string, NumberField[]> = {
+    "car-fields": ["car-width", "car-front", "car-rear", "car-wheelbase", "car-steer", "car-corner"],
+    "sheet-fields": ["front-overhang", "turning-circle"],
+    "slot-fields": ["length", "width"],
+    "street-fields": ["angle", "road"],
+    "neighbour-fields": ["front-setback", "rear-setback"],
+    "pose-fields": ["x", "y", "turn"],
+    "driving-fields": ["clearance", "heading"],
 };
 
 export function createFields(inputs: () => Inputs, change: (next: Inputs) => void) {
@@ -23,7 +22,8 @@ export function createFields(inputs: () => Inputs, change: (next: Inputs) => voi
         const { input, error } = fields.get(field)!;
         setText(error, sentence);
         set(input, { "aria-invalid": sentence ? "true" : null });
-        if (sentence && field.startsWith("car-")) byId<HTMLDetailsElement>("dimensions").open = true;
+        const hidden = input.closest("details");
+        if (sentence && hidden) hidden.open = true;
     };
 
     const fill = (field: NumberField) => {
@@ -31,23 +31,34 @@ export function createFields(inputs: () => Inputs, change: (next: Inputs) => voi
         const value = fieldValue(inputs(), field);
         if (document.activeElement === input || (input.getAttribute("aria-invalid") && filled.get(field) === value)) return;
         filled.set(field, value);
-        input.value = value === null ? "" : plain(value, field === "heading" ? 3 : 4);
+        input.value = value === null ? "" : plain(value, table[field].unit === "°" ? 3 : 4);
         complain(field, "");
     };
 
+    /** The number goes in, unless the car as a whole would be none. */
+    const put = (field: NumberField, value: number | null) => {
+        const next = withField(inputs(), field, value);
+        const wrong = next.car !== inputs().car && carTrouble(next);
+        complain(field, wrong ? wrong.sentence : "");
+        filled.set(field, wrong ? fieldValue(inputs(), field) : value);
+        if (!wrong) change(next);
+    };
+
     const typed = (field: NumberField, text: string) => {
-        if (field === "heading" && text.trim() === "") {
-            complain(field, "");
-            change({ ...inputs(), heading: null });
+        if (table[field].empty && text.trim() === "") {
+            put(field, null);
             return;
         }
         const value = parseNumber(field, text);
-        complain(field, typeof value === "string" ? value : "");
-        filled.set(field, typeof value === "number" ? value : fieldValue(inputs(), field));
-        if (typeof value === "number") change(withField(inputs(), field, value));
+        if (typeof value === "number") put(field, value);
+        else {
+            complain(field, value);
+            filled.set(field, fieldValue(inputs(), field));
+        }
     };
 
     const add = (field: NumberField, parent: string) => {
+        const { title, unit, empty } = table[field];
         const error = html("span", { class: "error", id: `${field}-error`, role: "alert" });
         const input = html("input", {
             id: field,
@@ -56,9 +67,10 @@ export function createFields(inputs: () => Inputs, change: (next: Inputs) => voi
             inputmode: "decimal",
             maxlength: 40,
             spellcheck: "false",
+            placeholder: empty,
             "aria-describedby": error.id,
         });
-        byId(parent).append(html("div", { class: "number" }, html("label", { for: field }, titles[field]), input, error));
+        byId(parent).append(html("div", { class: "number" }, html("label", { for: field }, title), input, error));
         input.addEventListener("input", () => typed(field, input.value));
         input.addEventListener("blur", () => {
             if (input.getAttribute("aria-invalid") !== "true") fill(field);
@@ -68,18 +80,14 @@ export function createFields(inputs: () => Inputs, change: (next: Inputs) => voi
             const value = fieldValue(inputs(), field);
             if (!step || value === null) return;
             event.preventDefault();
-            const by = (field === "heading" || field === "car-steer" ? 0.1 : 0.01) * (event.shiftKey ? 10 : 1);
-            complain(field, "");
+            const by = (unit === "°" ? 0.1 : 0.01) * (event.shiftKey ? 10 : 1);
             const next = within(field, Number((value + step * by).toFixed(6)));
             input.value = plain(next);
-            change(withField(inputs(), field, next));
+            put(field, next);
         });
         fields.set(field, { input, error });
     };
-    for (const field of carNumberFields) add(field, "car-fields");
-    for (const field of ["length", "width"] as const) add(field, "slot-fields");
-    for (const field of ["clearance", "heading"] as const) add(field, "driving-fields");
-    set(fields.get("heading")!.input, { placeholder: "best" });
+    for (const [parent, list] of Object.entries(places)) for (const field of list) add(field, parent);
 
     /** The values into the fields, unless something is being typed there, or was and is still explained. */
     const show = () => {

@@ -7,6 +7,9 @@ export interface Point {
     y: number;
 }
 
+/** What of a car is drawn and driven. */
+export type Shape = Pick<Car, "width" | "front" | "rear" | "wheelbase" | "outline">;
+
 export interface Leg {
     backward: boolean;
     /** Positive to the left in the slot's frame. */
@@ -29,7 +32,7 @@ export const clamp = (value: number, low: number, high: number) => Math.min(Math
 
 const seen = (pose: Pose, mirror: number): Pose => ({ x: pose.x, y: mirror * pose.y, heading: mirror * pose.heading });
 
-export function track(maneuver: Maneuver, side: SlotLike["side"]): Track {
+export function track(maneuver: Pick<Maneuver, "moves">, side: SlotLike["side"]): Track {
     const mirror = side === "left" ? -1 : 1;
     let from = 0;
     const legs = maneuver.moves.map((move) => {
@@ -48,7 +51,7 @@ export function track(maneuver: Maneuver, side: SlotLike["side"]): Track {
 }
 
 /** An arc, as its chord: exact, and steady for steering angles near zero. */
-export function drive(car: Car, leg: Leg, distance: number): Pose {
+export function drive(car: Shape, leg: Leg, distance: number): Pose {
     const s = leg.backward ? -distance : distance;
     const turned = (s * Math.tan(leg.steer)) / car.wheelbase;
     const half = turned / 2;
@@ -68,13 +71,13 @@ export function legAt(of: Track, distance: number): number {
     return index;
 }
 
-export function poseAt(car: Car, of: Track, distance: number): Pose {
+export function poseAt(car: Shape, of: Track, distance: number): Pose {
     const leg = of.legs[legAt(of, distance)]!;
     return distance >= leg.from + leg.length ? leg.end : drive(car, leg, distance - leg.from);
 }
 
 /** Poses of a leg, close enough for the eye. */
-export function samples(car: Car, leg: Leg, spacing: number): Pose[] {
+export function samples(car: Shape, leg: Leg, spacing: number): Pose[] {
     const count = Math.min(400, Math.max(1, Math.ceil(leg.length / spacing)));
     return Array.from({ length: count + 1 }, (_, i) =>
         i === count ? leg.end : drive(car, leg, (leg.length * i) / count),
@@ -82,20 +85,24 @@ export function samples(car: Car, leg: Leg, spacing: number): Pose[] {
 }
 
 /** Corners of the frame, grown on every side: front left, rear left, rear right, front right. */
-export function corners(car: Car, pose: Pose, grown = 0): Point[] {
-    const c = Math.cos(pose.heading);
-    const s = Math.sin(pose.heading);
+export function corners(car: Shape, pose: Pose, grown = 0): Point[] {
     const half = car.width / 2 + grown;
-    return [
-        [car.front + grown, half],
-        [-car.rear - grown, half],
-        [-car.rear - grown, -half],
-        [car.front + grown, -half],
-    ].map(([ahead, left]) => ({ x: pose.x + ahead! * c - left! * s, y: pose.y + ahead! * s + left! * c }));
+    const [front, rear] = [car.front + grown, -car.rear - grown];
+    return moved(pose, [{ x: front, y: half }, { x: rear, y: half }, { x: rear, y: -half }, { x: front, y: -half }]);
 }
 
+export const moved = (pose: Pose, points: Point[]): Point[] => {
+    const c = Math.cos(pose.heading);
+    const s = Math.sin(pose.heading);
+    return points.map(({ x, y }) => ({ x: pose.x + x * c - y * s, y: pose.y + x * s + y * c }));
+};
+
+/** Of the car itself: its outline where it has one, else its frame. */
+export const carCorners = (car: Shape, pose: Pose): Point[] =>
+    car.outline ? moved(pose, car.outline.map(([x, y]) => ({ x, y }))) : corners(car, pose);
+
 /** The entry position of a heading: the grown frame's corner on the curb side at the slot's corner. */
-export function entryPose(car: Car, length: number, heading: number, forward: boolean, clearance: number): Pose {
+export function entryPose(car: Shape, length: number, heading: number, forward: boolean, clearance: number): Pose {
     const ahead = (forward ? car.rear : car.front) + clearance;
     const half = car.width / 2 + clearance;
     const x = -(ahead * Math.cos(heading) + half * Math.sin(heading));

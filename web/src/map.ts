@@ -1,9 +1,9 @@
 // The map of slots: extra width against extra length, coloured by direction changes, with the slot as a point to drag.
-import { countColor } from "./colors";
+import { countColor, moreColor } from "./colors";
 import { byId, html, set, setText } from "./dom";
 import { clamp } from "./geometry";
 import { plural } from "./words";
-import type { MapGrid } from "./questions";
+import { more, type MapGrid } from "./questions";
 
 export const grid: MapGrid = { columns: 48, rows: 32, extraLength: 1.92, extraWidth: 0.96 };
 
@@ -34,7 +34,7 @@ export function createMap(id: string, label: string, move: (extraLength: number,
         const row = Math.floor((extra.width / grid.extraWidth) * grid.rows);
         const inside = column >= 0 && row >= 0 && column < grid.columns && row < grid.rows;
         const count = inside ? counts[row * grid.columns + column]! : -2;
-        const words = count === -2 ? "" : count < 0 ? ": no way in found" : `: ${count} ${plural(count)}`;
+        const words = count === -2 ? "" : count < 0 ? ": no way in" : count === more ? ": more changes than are counted" : `: ${count} ${plural(count)}`;
         set(point, {
             "aria-label": `Slot ${extra.length.toFixed(2)} m longer and ${extra.width.toFixed(2)} m wider than the car${words}. Arrow keys change it.`,
         });
@@ -56,19 +56,22 @@ export function createMap(id: string, label: string, move: (extraLength: number,
         set(root, { "data-done": null });
     };
 
-    const fill = (cells: [number, number, number, number, number][], done: boolean) => {
+    const fill = (cells: [number, number, number, number, number][], part: number) => {
         for (const [column, row, columns, rows, count] of cells) {
             const top = grid.rows - row - rows;
             paint.clearRect(column, top, columns, rows);
-            if (count >= 0) {
+            if (count === more) {
+                paint.fillStyle = moreColor;
+                paint.fillRect(column, top, columns, rows);
+            } else if (count >= 0) {
                 paint.fillStyle = countColor(count);
                 paint.fillRect(column, top, columns, rows);
             }
             for (let r = row; r < row + rows; ++r) counts.fill(count, r * grid.columns + column, r * grid.columns + column + columns);
         }
         describe();
-        if (done) setText(state, "");
-        set(root, { "data-done": done ? "true" : null });
+        setText(state, part < 1 ? `computing … ${Math.round(100 * part)} %` : "");
+        set(root, { "data-done": part === 1 ? "true" : null });
     };
 
     let dragging = false;

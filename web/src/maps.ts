@@ -14,13 +14,23 @@ export function createMaps(questions: Asker, move: (extraLength: number, extraWi
         fewest: createMap("map-fewest", "Direction changes over all maneuvers, by size of the slot", move),
     };
     const kinds = ["max-steer", "fewest"] as const;
-    byId("legend").append(
-        ...legend.map(({ color, label }) => {
+    const colors = () =>
+        legend.map(({ color, label }) => {
             const swatch = html("span", { class: "swatch", "aria-hidden": "true" });
             swatch.style.background = color;
             return html("li", {}, swatch, label);
-        }),
-        html("li", {}, html("span", { class: "swatch none", "aria-hidden": "true" }), "none"),
+        });
+    const other = (kind: string, label: string) => html("li", {}, html("span", { class: `swatch ${kind}`, "aria-hidden": "true" }), label);
+    byId("street-legend").append(
+        ...colors().slice(0, -2),
+        other("more", "more than 20, or none known"),
+        other("impossible", "impossible"),
+        other("line", "entry positions"),
+    );
+    byId("legend").append(
+        ...colors(),
+        other("more", "more than 12, of all maneuvers"),
+        other("none", "impossible"),
     );
 
     let wanted: (ReturnType<typeof drivingOf> & { car: Car }) | null = null;
@@ -33,8 +43,8 @@ export function createMaps(questions: Asker, move: (extraLength: number, extraWi
         questions.ask(`map-${strategy}`, "map", { ...wanted!, grid, strategy }, (told) => {
             if ("error" in told) maps[strategy].state(told.error);
             else {
-                maps[strategy].fill(told.cells, told.done);
-                if (told.done && strategy === "max-steer") ask("fewest");
+                maps[strategy].fill(told.cells, told.part);
+                if (told.part === 1 && strategy === "max-steer") ask("fewest");
             }
         });
     const askSoon = () =>

@@ -1,20 +1,26 @@
-// Plays a maneuver: time goes on, the car drives; it stands still for a moment where it changes direction.
-import type { Car, Maneuver, Move } from "snug";
+// Plays a maneuver as the car would drive it: over time, at a walk, the steering turning while it stands.
+import type { Maneuver, Move, Pose } from "snug";
 import { byId, html, set, setText } from "./dom";
-import { clamp, degrees, legAt, poseAt, type Track } from "./geometry";
+import { clamp, degrees, poseAt, type Shape, type Track } from "./geometry";
+import { timeline, type Timeline } from "./trajectory";
 
-const speed = 0.55; // [m/s]
-const pause = 0.45; // [s], at a direction change
-const wheelTurns = 1.5; // of the steering wheel from straight to full
+/** Turns of the steering wheel from straight to full. Not a half: left and right would look the same. */
+const wheelTurns = 1.2;
 
 interface Played {
-    car: Car;
-    maneuver: Maneuver;
+    car: Shape & { max_steer: number };
+    maneuver: Pick<Maneuver, "moves">;
     track: Track;
+    /** Left in the track is right in the world. */
+    mirrored: boolean;
+    /** What the end is called. */
+    end: string;
+    /** How far the car is from the nearest thing. */
+    near(pose: Pose): { distance: number; name: string } | null;
 }
 
 /** "backward, full left" */
-function how(car: Car, { direction, steering, steering_angle }: Move) {
+function how(car: Played["car"], { direction, steering, steering_angle }: Move) {
     const full = steering !== "straight" && Math.abs(steering_angle) > car.max_steer * (1 - 1e-9);
     return `${direction}, ${full ? "full " : ""}${steering}`;
 }
@@ -29,38 +35,43 @@ const obstacles: Record<string, string> = {
     "front corner": "front slot corner",
 };
 
-export function createPlayer(show: (pose: { x: number; y: number; heading: number }, steer: number) => void) {
+export function createPlayer(show: (pose: Pose, steer: number) => void) {
     const button = byId<HTMLButtonElement>("play");
     const scrub = byId<HTMLInputElement>("scrub");
     const wheel = byId<SVGGElement>("wheel");
     const now = byId("now");
     const detail = byId("now-detail");
+    const nearby = byId("now-near");
     const list = byId("moves");
     let played: Played | null = null;
-    let distance = 0;
-    let leg = 0;
-    let rest = 0;
+    let times: Timeline = timeline({ legs: [], length: 0 });
+    let time = 0;
     let running = false;
     let last = 0;
 
     const place = () => {
         if (!played) return;
-        const { car, track, maneuver } = played;
+        const { car, track, maneuver, mirrored, near, end } = played;
+        const { distance, leg, steer, speed } = times.at(time);
         const current = track.legs[leg]!;
-        show(poseAt(car, { legs: [current], length: track.length }, distance), current.steer);
-        scrub.value = String(Math.round((1000 * distance) / track.length));
+        const parked = time >= times.seconds;
+        const pose = parked ? poseAt(car, track, track.length) : poseAt(car, { legs: [current], length: track.length }, distance);
+        show(pose, steer);
+        scrub.value = String(Math.round((1000 * time) / (times.seconds || 1)));
         const move = maneuver.moves[leg]!;
-        set(wheel, { transform: `rotate(${((-move.steering_angle / car.max_steer) * wheelTurns * 360).toFixed(1)})` });
-        const parked = distance >= track.length;
-        setText(now, parked ? "Parked" : `${leg + 1} of ${track.legs.length}: ${how(car, move)}`);
+        set(wheel, { transform: `rotate(${((-steer / car.max_steer) * (mirrored ? -1 : 1) * wheelTurns * 360).toFixed(1)})` });
+        setText(now, parked ? end : `${leg + 1} of ${track.legs.length}: ${how(car, move)}`);
         const driven = clamp(distance - current.from, 0, current.length);
-        setText(detail, `wheels ${wheelAngle(move)} · ${driven.toFixed(3)} of ${move.length.toFixed(3)} m`);
+        const gap = near(pose);
+        const clock = `${time.toFixed(1)} of ${times.seconds.toFixed(1)} s · ${speed.toFixed(2)} m/s · wheels ${degrees(Math.abs(steer)).toFixed(1)}°`;
+        setText(detail, clock);
+        setText(nearby, gap ? `${gap.distance < 0.0005 ? "touches" : `${gap.distance.toFixed(3)} m to`} ${gap.name}` : "");
         set(scrub, { "aria-valuetext": `move ${leg + 1} of ${track.legs.length}, ${driven.toFixed(2)} metres` });
         if (list.children[leg]?.getAttribute("aria-current") !== "step") {
             [...list.children].forEach((row, i) => set(row, { "aria-current": i === leg ? "step" : null }));
             intoView(list.children[leg]);
         }
-        document.documentElement.dataset.pose = JSON.stringify(poseAt(car, track, distance));
+        document.documentElement.dataset.pose = JSON.stringify(pose);
     };
 
     const halt = () => {
@@ -69,36 +80,18 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
         set(button, { "data-state": "paused" });
     };
 
-    const goTo = (to: number, at?: number) => {
-        if (!played) return;
-        distance = clamp(to, 0, played.track.length);
-        leg = Math.min(at ?? legAt(played.track, distance), played.track.legs.length - 1);
-        rest = 0;
+    const goTo = (to: number) => {
+        time = clamp(to, 0, times.seconds);
         place();
     };
 
-    const tick = (time: number) => {
+    const tick = (at: number) => {
         if (!running || !played) return;
-        const passed = Math.min((time - last) / 1000, 0.1) * Number(byId<HTMLSelectElement>("speed").value);
-        last = time;
-        if (rest > 0) rest -= passed;
-        else {
-            const { track } = played;
-            const current = track.legs[leg]!;
-            const end = current.from + current.length;
-            distance = Math.min(distance + passed * speed, end);
-            if (distance >= end && leg + 1 < track.legs.length) {
-                rest = track.legs[leg + 1]!.backward === current.backward ? 0 : pause;
-                ++leg;
-            } else if (distance >= end) {
-                distance = track.length;
-                place();
-                halt();
-                return;
-            }
-            place();
-        }
-        requestAnimationFrame(tick);
+        const passed = Math.min((at - last) / 1000, 0.1) * Number(byId<HTMLSelectElement>("speed").value);
+        last = at;
+        goTo(time + passed);
+        if (time >= times.seconds) halt();
+        else requestAnimationFrame(tick);
     };
 
     button.addEventListener("click", () => {
@@ -107,7 +100,7 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
             halt();
             return;
         }
-        if (distance >= played.track.length) goTo(0);
+        if (time >= times.seconds) goTo(0);
         running = true;
         setText(button, "Pause");
         set(button, { "data-state": "playing" });
@@ -116,21 +109,32 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
     });
     scrub.addEventListener("input", () => {
         halt();
-        if (played) goTo((Number(scrub.value) / 1000) * played.track.length);
+        if (played) goTo((Number(scrub.value) / 1000) * times.seconds);
     });
+    const legNow = () => times.at(time).leg;
+    const endOf = (leg: number) => (leg + 1 < played!.track.legs.length ? times.startOf(leg + 1) : times.seconds);
     byId("previous").addEventListener("click", () => {
         halt();
-        const current = played?.track.legs[leg];
-        if (current) goTo(distance > current.from + 1e-9 ? current.from : (played!.track.legs[leg - 1]?.from ?? 0));
+        if (!played) return;
+        const leg = legNow();
+        goTo(times.startOf(time > times.startOf(leg) + 1e-6 ? leg : Math.max(0, leg - 1)));
     });
     byId("next").addEventListener("click", () => {
         halt();
-        const current = played?.track.legs[leg];
-        if (current) goTo(current.from + current.length);
+        if (!played) return;
+        const leg = legNow();
+        // Where the steering turns before a move, the move is still to come.
+        goTo(time < times.startOf(leg) - 1e-6 && leg > 0 ? times.startOf(leg) : endOf(leg));
     });
 
-    const contactWords = ({ contact }: Move, isLast: boolean) =>
-        contact ? `${contact.car} meets ${obstacles[contact.obstacle] ?? contact.obstacle}` : isLast ? "stop: parked" : "stop";
+    const contactWords = ({ contact, nearest }: Move & { nearest?: { car: string; obstacle: string; distance: number } }, end: string | null) =>
+        contact
+            ? `${contact.car} meets ${obstacles[contact.obstacle] ?? contact.obstacle}`
+            : end !== null
+              ? `stop: ${end.toLowerCase()}`
+              : nearest
+                ? `stop, ${nearest.distance.toFixed(2)} m from ${nearest.obstacle}`
+                : "stop";
 
     // The list may be longer than its place: it says how many moves there are, shows the one under way, and fades out below
     // while there are more.
@@ -156,11 +160,11 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
                     html("span", { class: "how" }, how(next.car, move)),
                     html("span", { class: "angle" }, wheelAngle(move)),
                     html("span", { class: "far" }, `${move.length.toFixed(3)} m`),
-                    html("span", { class: "until" }, contactWords(move, i === moves.length - 1)),
+                    html("span", { class: "until" }, contactWords(move, i === moves.length - 1 ? next.end : null)),
                 );
                 step.addEventListener("click", () => {
                     halt();
-                    goTo(next.track.legs[i]!.from, i);
+                    goTo(times.startOf(i));
                 });
                 return html("li", {}, step);
             }),
@@ -172,16 +176,19 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
     let listing = 0;
     let loadedAt = -Infinity;
     /** A new maneuver, from its start; null where there is none. */
-    const load = (next: Played | null) => {
+    const load = (next: Played | null, otherwise = "No maneuver") => {
         halt();
         played = next;
+        times = timeline(next?.track ?? { legs: [], length: 0 });
+        document.documentElement.dataset.seconds = String(times.seconds); // for the tests of the page
         for (const id of ["play", "scrub", "previous", "next"]) byId<HTMLButtonElement>(id).disabled = !next;
         byId("maneuver").hidden = !next;
         if (!next) {
             clearTimeout(listing);
             list.replaceChildren();
-            setText(now, "No maneuver");
+            setText(now, otherwise);
             setText(detail, "");
+            setText(nearby, "");
             delete document.documentElement.dataset.pose;
             set(wheel, { transform: null });
             return;
@@ -192,7 +199,7 @@ export function createPlayer(show: (pose: { x: number; y: number; heading: numbe
         if (asked - loadedAt > 200) showList(next);
         else listing = window.setTimeout(() => (showList(next), place()), 150);
         loadedAt = asked;
-        goTo(0, 0);
+        goTo(0);
     };
-    return { load, place };
+    return { load, place, pause: halt };
 }

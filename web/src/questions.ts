@@ -1,12 +1,15 @@
 // Questions that take longer than a frame, and how they are asked: each kind has a worker of its own, and a new question
 // of a kind ends the one before.
-import type { Car, EntryAnswer, FewestAnswer, FewestProgress, MinSlotRow } from "snug";
+import type { Car, EntryAnswer, FewestAnswer, FewestProgress, Maneuver, MapBounds, MinSlotRow, ParkAnswer, Pose, Scene, SlotLike, StreetLike } from "snug";
 
 interface Case {
     car: Car;
     clearance: number;
     enter: "backward" | "forward";
 }
+
+/** A map's count where it takes more changes than are counted. */
+export const more = 32767;
 
 export interface MapGrid {
     columns: number;
@@ -15,23 +18,55 @@ export interface MapGrid {
     extraWidth: number;
 }
 
+/** A car and where it parks. */
+export interface PlaceCase {
+    car: Car;
+    place: StreetLike | Scene;
+    options: { clearance: number; enter: "backward" | "forward"; goal: "bay" | "road" };
+}
+
+/** The map's counts at one heading, at the middles of so many fields of a box. */
+export interface Slice {
+    heading: number;
+    box: { x_min: number; x_max: number; y_min: number; y_max: number };
+    columns: number;
+    rows: number;
+}
+
 export interface Questions {
     fewest: {
-        ask: Case & { length: number; width: number; side: "right" | "left" };
+        ask: Case & { slot: SlotLike };
         tell: { so_far: FewestProgress } | { answer: FewestAnswer };
     };
     entry: {
-        ask: Case & { length: number; width: number; side: "right" | "left" };
+        ask: Case & { slot: SlotLike };
         tell: { answer: EntryAnswer };
     };
     "min-slot": {
-        ask: Case & { width: number; max_changes: number; strategy: "max-steer" | "fewest" };
+        ask: Case & Partial<SlotLike> & { max_changes: number; strategy: "max-steer" | "fewest" };
         tell: { row: MinSlotRow };
     };
-    /** Counts of cells, -1 where the car cannot park, each given as [column, row, columns, rows, count]. */
+    /** The fewest changes from one pose, with proof. */
+    park: {
+        ask: PlaceCase & { start: Pose };
+        tell: { so_far: FewestProgress } | { answer: ParkAnswer };
+    };
+    /** From every pose: the worker keeps the map and answers looks. */
+    "street-map": {
+        ask: PlaceCase & { spacing: number };
+        tell: { spacing: number; milliseconds: number };
+    };
+    look: {
+        ask: { pose: Pose; slice: Slice | null };
+        tell: { bounds: MapBounds; way: Maneuver | null; counts: { lower: Int16Array; upper: Int16Array } | null };
+    };
+    /**
+     * Counts of cells, each given as [column, row, columns, rows, count]: -1 where the car cannot park, `more` where it takes more
+     * changes than are counted. `part`: of the work.
+     */
     map: {
         ask: Case & { grid: MapGrid; strategy: "max-steer" | "fewest" };
-        tell: { cells: [number, number, number, number, number][]; done: boolean };
+        tell: { cells: [number, number, number, number, number][]; part: number };
     };
 }
 export type Kind = keyof Questions;

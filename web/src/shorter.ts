@@ -1,6 +1,6 @@
 // The shortest slot of this width that does with one change fewer; where none is needed, the shortest that still needs none.
 import { byId, setText } from "./dom";
-import { drivingOf, type Inputs } from "./inputs";
+import { drivingOf, slotOf, type Inputs } from "./inputs";
 import type { Asker } from "./questions";
 import { plural } from "./words";
 
@@ -24,7 +24,8 @@ export function createShorter(questions: Asker) {
         const titles = { undefined: "Shortest slot of this width", 0: "Shortest slot for no change" } as Record<string, string>;
         setText(byId("shorter-title"), titles[String(count)] ?? "One change fewer");
         const most = count === undefined ? (strategy === "fewest" ? 12 : 200) : Math.max(count - 1, 0);
-        questions.ask("min-slot", "min-slot", { car, width, ...drivingOf(inputs), max_changes: most, strategy }, (told) => {
+        const { length: _, side: __, ...slot } = slotOf(inputs);
+        questions.ask("min-slot", "min-slot", { car, ...slot, ...drivingOf(inputs), max_changes: most, strategy }, (told) => {
             if ("error" in told) {
                 say("–", told.error);
                 return;

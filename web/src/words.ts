@@ -3,7 +3,8 @@ import type { FewestAnswer, HeadingRange, Maneuver, MaxSteerRun, Snug } from "sn
 import type { Answers } from "./answers";
 import { byId, set, setText } from "./dom";
 import { degrees } from "./geometry";
-import { drivingOf, slotOf, type Inputs } from "./inputs";
+import { drivingOf, goalOf, plain, slotOf, type Inputs } from "./inputs";
+import type { Parking } from "./parking";
 
 export const plural = (count: number) => (count === 1 ? "direction change" : "direction changes");
 const angle = (heading: number, digits = 2) => `${degrees(heading).toFixed(digits)}°`;
@@ -31,23 +32,76 @@ function sayRoom({ side }: Inputs, { length, swept }: Maneuver) {
 }
 
 /** `shown`: the maneuver in the picture. */
-export function sayAnswer(snug: Snug, inputs: Inputs, answers: Answers, shown: Maneuver | undefined) {
+export function sayAnswer(snug: Snug, inputs: Inputs, answers: Answers, shown: Maneuver | undefined, run: MaxSteerRun | null) {
+    const { length, width } = snug.shortfall(inputs.car, slotOf(inputs), drivingOf(inputs));
+    set(byId("fit-slot"), { hidden: length > 0 || width > 0 ? null : "" });
+    const stuck = inputs.strategy !== "fewest" && !answers.late && answers.entry?.direction_changes === undefined;
+    set(byId("try-all"), { hidden: stuck && !(length > 0 || width > 0) ? null : "" });
     if (inputs.strategy === "fewest") sayFewest(snug, inputs, answers, shown);
-    else sayEntry(snug, inputs, answers);
+    else sayEntry(snug, inputs, answers, run);
 }
 
-function sayEntry(snug: Snug, inputs: Inputs, { entry }: Answers) {
+const metres = (value: number) => `${value.toFixed(2)} m`;
+
+/** In the street: the exact answer where there is one, else what the map says. `map`: null while there is none of this place. */
+export function sayPark(inputs: Inputs, { bounds, exact, soFar, pose, trouble }: Parking, map: { spacing: number; milliseconds: number } | null) {
+    for (const id of ["fit-slot", "try-all", "best"]) set(byId(id), { hidden: "" });
+    const out = goalOf(inputs) === "road";
+    const [fits, fitsNot] = out ? ["It gets out", "It does not get out"] : ["It parks", "It does not park"];
+    setText(byId("strategy-note"), "Any steering, any stops: the fewest changes there can be, with proof.");
+    setText(byId("maneuver-note"), exact?.maneuver || !bounds?.first ? "" : "From the map; the exact search follows.");
+    setText(byId("stands"), `${metres(pose.x)}, ${metres(pose.y)}`);
+    setText(byId("stands-note"), `${Number(degrees(pose.heading).toFixed(2)) + 0}° to the street. ${inputs.pose ? "" : "Drag the car anywhere."}`);
+    set(byId("usual"), { hidden: inputs.pose ? null : "" });
+
+    const range = (low: number, high?: number) => (high === undefined ? `≥ ${low}` : low === high ? String(high) : `${low} – ${high}`);
+    if (!map) setText(byId("map-says"), "…");
+    else if (!bounds || bounds.where === "outside") setText(byId("map-says"), "–");
+    else setText(byId("map-says"), bounds.where === "blocked" ? "blocked" : bounds.impossible ? "impossible" : range(bounds.lower_bound, bounds.direction_changes));
+    setText(byId("map-note"), map ? `Every pose at once, on a lattice of ${plain(100 * map.spacing, 1)} cm: ${Math.round(map.milliseconds)} ms.` : "The street is swept …");
+
+    if (exact) {
+        const { direction_changes: found, lower_bound, proved, impossible, maneuver, spacing } = exact;
+        const room = maneuver ? ` ${metres(maneuver.length)} driven.` : "";
+        if (found === 0 && maneuver?.moves.length === 0) say(out ? "It is out" : "It is parked", "fits", "0", plural(0), "Nothing to drive.");
+        else if (found !== undefined && proved) say(fits!, "fits", String(found), plural(found), `Proved: no maneuver has fewer.${room}`);
+        else if (found !== undefined) say(fits!, "fits", `≤ ${found}`, plural(found), `No maneuver has fewer than ${lower_bound}.${room}`);
+        else if (proved) say(fitsNot!, "not", "∅", "no way", impossible ? "Proved: no number of changes will do." : `Proved: not with up to ${exact.max_changes} changes.`);
+        else say("Undecided", "open", `≥ ${lower_bound}`, plural(2), `Nothing found on a lattice of ${plain(1000 * spacing, 1)} mm in the time given.`);
+        return;
+    }
+    if (bounds?.where === "blocked") say("It cannot stand here", "not", "–", "it meets something", "Move the car, or turn it, until it stands free.");
+    else if (trouble) say("No answer", "open", "–", "", trouble);
+    else if (bounds?.where === "outside") say("Beyond the map", "open", "…", "", "It covers headings within 80° of the middle between the street’s and the parked one. Searching from here alone.");
+    else if (!bounds) say("Computing", "open", "…", "direction changes", "The street is being swept.");
+    else if (bounds.impossible) say(fitsNot!, "not", "∅", "no way", "Proved by the map: no number of changes will do.");
+    else {
+        const low = Math.max(bounds.lower_bound, soFar?.lower_bound ?? 0);
+        const high = Math.min(bounds.direction_changes ?? Infinity, soFar?.direction_changes ?? Infinity);
+        const known = high < Infinity ? high : undefined;
+        const word = known === undefined ? "Searching" : fits!;
+        say(word, known === undefined ? "open" : "fits", range(low, known), plural(known ?? 2), low === known ? "Proved by the map." : "From the map; the exact answer follows.");
+    }
+}
+
+function sayEntry(snug: Snug, inputs: Inputs, { entry }: Answers, run: MaxSteerRun | null) {
     setText(byId("strategy-note"), "Wheel all the way round, drive until something is touched, and back. Exact, in every frame.");
     setText(byId("maneuver-note"), "");
     const changes = entry?.direction_changes;
     const best = entry?.maneuver;
     if (changes === undefined || !best) {
-        const note = whyNot(snug, inputs, "No entry heading parks it within 200 changes. All maneuvers may do better.");
+        const note = whyNot(snug, inputs, "No entry heading parks it within 200 changes.");
         say("It does not fit", "not", "∅", "no way in", note);
         return;
     }
-    const from = inputs.heading === null ? "" : "From the best heading: ";
-    say("It fits", "fits", String(changes), plural(changes), from + sayRoom(inputs, best));
+    if (run && run.outcome !== "parked") {
+        say("Not from this heading", "not", "∅", "no way in", `The best heading takes ${changes} ${plural(changes)}.`);
+        return;
+    }
+    const mine = run?.maneuver ?? best;
+    const here = mine.direction_changes;
+    const better = run && here > changes ? `The best heading takes ${changes}. ` : "";
+    say("It fits", "fits", String(here), plural(here), better + sayRoom(inputs, mine));
 }
 
 function sayFewest(snug: Snug, inputs: Inputs, { fewest, bounds }: Answers, shown: Maneuver | undefined) {

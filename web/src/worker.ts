@@ -1,6 +1,6 @@
 // Answers long questions away from the page, one at a time.
-import type { Snug } from "snug";
-import type { FromWorker, Kind, Questions, ToWorker } from "./questions";
+import type { ParkMap, Snug } from "snug";
+import { more, type FromWorker, type Kind, type Questions, type ToWorker } from "./questions";
 import { start } from "./solver";
 
 type Tell = (told: unknown, last?: boolean) => void;
@@ -8,19 +8,40 @@ type Answer<K extends Kind> = (snug: Snug, ask: Questions[K]["ask"], tell: (told
 
 const timeLimit = 60; // [s]
 
-const fewest: Answer<"fewest"> = (snug, { car, clearance, enter, length, width, side }, tell) => {
+const fewest: Answer<"fewest"> = (snug, { car, clearance, enter, slot }, tell) => {
     const answer = snug.fewest(
         car,
-        { length, width, side },
+        slot,
         { clearance, enter, time_limit: timeLimit, progress: (so_far) => tell({ so_far }) },
     );
     tell({ answer }, true);
 };
 
-const entry: Answer<"entry"> = (snug, { car, clearance, enter, length, width, side }, tell) =>
-    tell({ answer: snug.entry(car, { length, width, side }, { clearance, enter }) }, true);
+const entry: Answer<"entry"> = (snug, { car, clearance, enter, slot }, tell) =>
+    tell({ answer: snug.entry(car, slot, { clearance, enter }) }, true);
 
 const minSlot: Answer<"min-slot"> = (snug, { car, ...options }, tell) => tell({ row: snug.minSlot(car, options) }, true);
+
+const park: Answer<"park"> = (snug, { car, place, options, start }, tell) => {
+    const progress = (so_far: Parameters<NonNullable<NonNullable<Parameters<Snug["park"]>[2]>["progress"]>>[0]) => tell({ so_far });
+    tell({ answer: snug.park(car, place, { ...options, start, time_limit: timeLimit, progress }) }, true);
+};
+
+/** Counted up to so many changes, in the street. */
+const mostInStreet = 20;
+let held: ParkMap | null = null;
+const streetMap: Answer<"street-map"> = (snug, { car, place, options, spacing }, tell) => {
+    const before = performance.now();
+    held?.delete();
+    held = null;
+    held = snug.parkMap(car, place, { ...options, spacing, max_changes: mostInStreet });
+    tell({ spacing, milliseconds: performance.now() - before }, true);
+};
+const look: Answer<"look"> = (_, { pose, slice }, tell) => {
+    if (!held) throw new Error("there is no map yet");
+    const counts = slice && held.slice(slice.heading, slice.box, slice.columns, slice.rows);
+    tell({ bounds: held.at(pose), way: held.maneuver(pose), counts }, true);
+};
 
 const map: Answer<"map"> = (snug, { car, clearance, enter, grid, strategy }, tell) => {
     const size = (column: number, row: number) => ({
@@ -36,9 +57,9 @@ const map: Answer<"map"> = (snug, { car, clearance, enter, grid, strategy }, tel
                 const answer = snug.entry(car, size(column, row), { clearance, enter });
                 cells.push([column, row, 1, 1, answer.direction_changes ?? -1]);
             }
-            tell({ cells, done: false });
+            tell({ cells, part: 1 - row / (grid.rows + 1) });
         }
-        tell({ cells: [], done: true }, true);
+        tell({ cells: [], part: 1 }, true);
         return;
     }
     // A larger slot is no harder over all maneuvers: a block whose opposite corners need the same holds that count.
@@ -56,18 +77,22 @@ const map: Answer<"map"> = (snug, { car, clearance, enter, grid, strategy }, tel
                 time_limit: 0.4,
                 roomiest: false,
             });
-            found = answer.direction_changes ?? -1;
+            found = answer.direction_changes ?? more;
             known.set(key, found);
         }
         return found;
     };
+    // How far: of each level of blocks its part; a level takes about three times as long as the one before.
+    const levels = Math.ceil(Math.log2(Math.max(grid.columns, grid.rows)));
+    let level = 0;
     let blocks = [[0, 0, grid.columns - 1, grid.rows - 1]];
     while (blocks.length > 0) {
         const cut: number[][] = [];
-        for (const [left, low, right, high] of blocks as [number, number, number, number][]) {
+        for (const [i, [left, low, right, high]] of (blocks as [number, number, number, number][]).entries()) {
+            const part = Math.min(0.99, 3 ** (level - levels) * (1 + (2 * i) / blocks.length) - 3 ** -levels);
             const hard = count(left, low);
             const easy = count(right, high);
-            const whole = (value: number) => tell({ cells: [[left, low, right - left + 1, high - low + 1, value]], done: false });
+            const whole = (value: number) => tell({ cells: [[left, low, right - left + 1, high - low + 1, value]], part });
             whole(hard === easy ? hard : easy);
             if (hard === easy || (left === right && low === high)) continue;
             const across = (left + right) >> 1;
@@ -83,11 +108,12 @@ const map: Answer<"map"> = (snug, { car, clearance, enter, grid, strategy }, tel
                 );
         }
         blocks = cut;
+        ++level;
     }
-    tell({ cells: [], done: true }, true);
+    tell({ cells: [], part: 1 }, true);
 };
 
-const answers: { [K in Kind]: Answer<K> } = { fewest, entry, "min-slot": minSlot, map };
+const answers: { [K in Kind]: Answer<K> } = { fewest, entry, "min-slot": minSlot, map, park, "street-map": streetMap, look };
 
 let snug: Promise<Snug>;
 onmessage = async ({ data }: MessageEvent<ToWorker>) => {

@@ -19,9 +19,10 @@ export function native(...words) {
     }
 }
 
-export async function open() {
+/** The page of this folder, or whatever is built in the `dist` of another. */
+export async function open({ root: of = root } = {}) {
     assert.ok(existsSync(command), `${command} is missing: build the command first`);
-    const server = await preview({ root, logLevel: "error", preview: { port: 0, host: "127.0.0.1" } });
+    const server = await preview({ root: of, configFile: false, logLevel: "error", preview: { port: 0, host: "127.0.0.1" }, base: "./" });
     const address = `http://127.0.0.1:${server.httpServer.address().port}/`;
     const browser = await chromium.launch({
         executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",

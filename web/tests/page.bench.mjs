@@ -14,7 +14,7 @@ const line = (name, times) => {
 async function drag(name, path) {
     const page = await site.page({ path });
     await page.evaluate(() => (window.snugPage.frameTimes.length = 0));
-    const grip = await page.locator('[data-grip="rear"] .knob').boundingBox();
+    const grip = await page.locator('#drawing [data-grip="rear"] .knob').boundingBox();
     const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
     await page.mouse.move(x, y);
     await page.mouse.down();
@@ -38,7 +38,33 @@ async function load(name) {
     line(name, times);
 }
 
+/** The car driven about the street: what each look into the map took, there and back, and the maps themselves. */
+async function street(name, path) {
+    const page = await site.page({ path });
+    await page.waitForFunction(() => window.snugPage.map.state()?.finest);
+    const grip = await page.locator('#street [data-grip="car"] .reach').boundingBox();
+    const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
+    await page.evaluate(() => (window.snugPage.map.times.looks.length = 0));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let step = 0; step <= 60; ++step) {
+        await page.mouse.move(x - 60 + 60 * Math.cos(step / 6), y + 30 * Math.sin(step / 6));
+        await settled(page);
+    }
+    await page.mouse.up();
+    line(`${name}/look-and-maneuver`, await page.evaluate(() => window.snugPage.map.times.looks));
+    await page.locator('#street [data-grip="rear"]').focus();
+    for (let i = 0; i < 8; ++i) {
+        await page.keyboard.press("ArrowUp");
+        await page.waitForFunction(() => window.snugPage.map.state()?.current);
+    }
+    line(`${name}/first-map`, await page.evaluate(() => window.snugPage.map.times.maps));
+    await page.context().close();
+}
+
 await load("page/load/first-answer");
-await drag("page/max-steer/drag-ordinary-slots", "");
+await drag("page/max-steer/drag-ordinary-slots", "#mode=entry");
 await drag("page/max-steer/drag-tight-slots", "#car=renault-zoe&length=4.9&width=1.85");
+await street("page/street/parallel", "#mode=street");
+await street("page/street/perpendicular", "#mode=street&angle=90&length=5&width=2.5");
 await site.close();

@@ -1,0 +1,143 @@
+// The answers in the street: from the map at once, and from the exact search a moment after the car stands still.
+import type { FewestProgress, MapBounds, Maneuver, ParkAnswer, Pose, Scene, Snug } from "snug";
+import { drivingOf, goalOf, placeOf, type Inputs } from "./inputs";
+import { later } from "./later";
+import type { Asker, Slice } from "./questions";
+import { createStreetMap, type Seen } from "./street_map";
+
+interface Listener {
+    changed(): void;
+    /** Something is being dragged: the exact search waits. */
+    busy(): boolean;
+    /** What of the street is in the picture, and how finely it is painted there. */
+    slice(heading: number): Slice | null;
+}
+
+export interface Parking {
+    /** The place with everything that is drawn; its start is the usual one. */
+    scene: Scene;
+    pose: Pose;
+    /** The map's. */
+    bounds: MapBounds | null;
+    way: Maneuver | null;
+    /** Where the car stood when they were looked up. */
+    lookedAt: Pose | null;
+    /** Of the last slice that came. */
+    painted: { slice: Slice; counts: NonNullable<Seen["counts"]> } | null;
+    exact: ParkAnswer | null;
+    soFar: FewestProgress | null;
+    trouble: string;
+}
+
+export function createParking(snug: Snug, questions: Asker, listener: Listener) {
+    const state: Parking = {
+        scene: { obstacles: [], parked: { inside: [], heading: 0 }, start: [0, 0, 0] },
+        pose: { x: 0, y: 0, heading: 0 },
+        bounds: null,
+        way: null,
+        lookedAt: null,
+        painted: null,
+        exact: null,
+        soFar: null,
+        trouble: "",
+    };
+    let place = "";
+    let asked = "";
+    let wanted: Inputs | null = null;
+    /** The slice that came last. */
+    let painted = "";
+    const soonExact = later(120);
+
+    const map = createStreetMap(questions, {
+        ready: () => {
+            painted = "";
+            look();
+            listener.changed();
+        },
+        seen: ({ pose, slice }, { bounds, way, counts }) => {
+            state.trouble = "";
+            if (pose === state.pose) Object.assign(state, { bounds, way, lookedAt: pose });
+            if (slice && counts) {
+                state.painted = { slice, counts };
+                painted = JSON.stringify(slice);
+            }
+            listener.changed();
+        },
+        failed: (sentence) => {
+            state.trouble = sentence;
+            Object.assign(state, { bounds: null, way: null, painted: null });
+            listener.changed();
+        },
+    });
+
+    const look = () => {
+        const slice = listener.slice(state.pose.heading);
+        map.look({ pose: state.pose, slice: JSON.stringify(slice) === painted ? null : slice });
+    };
+
+    const caseOf = (inputs: Inputs) => ({
+        car: inputs.car,
+        place: placeOf(inputs),
+        options: { ...drivingOf(inputs), goal: goalOf(inputs) } as const,
+    });
+
+    const askExact = () => {
+        if (!wanted) return;
+        if (listener.busy()) {
+            soonExact(askExact);
+            return;
+        }
+        const mine = asked;
+        questions.ask("park", "park", { ...caseOf(wanted), start: state.pose }, (told) => {
+            if (mine !== asked) return;
+            if ("error" in told) state.trouble = told.error;
+            else if ("so_far" in told) state.soFar = told.so_far;
+            else state.exact = told.answer;
+            listener.changed();
+        });
+    };
+
+    /** Where the car stands unless it is put somewhere: the usual start, or in the middle of the slot when it is to leave. */
+    const usualPose = (inputs: Inputs, scene: Scene): Pose => {
+        const [x, y, heading] = scene.start;
+        if (goalOf(inputs) === "bay" || !("inside" in scene.parked)) return { x, y, heading };
+        const corners = scene.parked.inside;
+        const middle = { x: 0, y: 0, heading: scene.parked.heading };
+        for (const [cx, cy] of corners) {
+            middle.x += cx / corners.length;
+            middle.y += cy / corners.length;
+        }
+        const back = (inputs.car.front - inputs.car.rear) / 2;
+        const round = (value: number) => Number(value.toFixed(3)) + 0;
+        return { x: round(middle.x - back * Math.cos(middle.heading)), y: round(middle.y - back * Math.sin(middle.heading)), heading: middle.heading };
+    };
+
+    /** True where the question is a new one. Throws the solver's sentence, and keeps the last place, where it has none. */
+    const ask = (inputs: Inputs): boolean => {
+        const its = caseOf(inputs);
+        const key = JSON.stringify(its);
+        const question = JSON.stringify([key, inputs.pose]);
+        if (question === asked) return false;
+        if (key !== place) {
+            const scene = snug.scene(its.car, its.place, its.options);
+            place = key;
+            state.scene = scene;
+            map.set(its);
+            state.bounds = null;
+        }
+        asked = question;
+        wanted = inputs;
+        Object.assign(state, { pose: inputs.pose ?? usualPose(inputs, state.scene), exact: null, soFar: null, trouble: "" });
+        questions.abandon("park");
+        look();
+        soonExact(askExact);
+        return true;
+    };
+
+    /** After drawing: the picture may show something else of the street, or more finely. */
+    const again = () => {
+        const slice = listener.slice(state.pose.heading);
+        if (slice && !map.looking() && JSON.stringify(slice) !== painted) look();
+    };
+    return { state, ask, again, map };
+}

@@ -1,0 +1,100 @@
+// The map of the street, from every pose: swept in a worker, coarse first and then finer, and looked up there. Two workers
+// take turns: one answers with the newest map while the other sweeps the next.
+import type { Car, Maneuver, MapBounds, Pose } from "snug";
+import type { Asker, PlaceCase, Slice } from "./questions";
+
+export interface Look {
+    pose: Pose;
+    slice: Slice | null;
+}
+export interface Seen {
+    bounds: MapBounds;
+    way: Maneuver | null;
+    counts: { lower: Int16Array; upper: Int16Array } | null;
+}
+
+interface Listener {
+    /** A map is there, of what was asked last or of a moment before; looks are answered from it. */
+    ready(): void;
+    seen(look: Look, seen: Seen): void;
+    failed(sentence: string): void;
+}
+
+/** Lattices, as parts of the coarsest. */
+const levels = [1, 1 / 2, 1 / 3];
+/** A 32nd of the turning radius at most: the library takes no coarser one. */
+const coarsest = ({ wheelbase, max_steer }: Car) => Math.min(0.999 / 32 * (wheelbase / Math.tan(max_steer)), 0.16);
+
+export function createStreetMap(questions: Asker, listener: Listener) {
+    let wanted: PlaceCase | null = null;
+    let key = "";
+    let sweeping: { key: string; level: number } | null = null;
+    let front = 0;
+    /** What the front worker holds. */
+    let held: { key: string; spacing: number; milliseconds: number; level: number } | null = null;
+    /** How long maps and looks took, for the tests and the bench. [ms] */
+    const times = { maps: [] as number[], looks: [] as number[] };
+
+    const sweep = (level: number) => {
+        if (!wanted) return;
+        const mine = { key, level };
+        sweeping = mine;
+        const back = 1 - front;
+        questions.ask(`street-${back}`, "street-map", { ...wanted, spacing: coarsest(wanted.car) * levels[level]! }, (told) => {
+            sweeping = null;
+            if ("error" in told) {
+                if (mine.key === key && level === 0) listener.failed(told.error);
+            } else {
+                front = back;
+                held = { key: mine.key, level, ...told };
+                if (level === 0) times.maps.push(told.milliseconds);
+                looking = 0; // what the other worker was asked is asked again of this one
+                listener.ready();
+            }
+            if (mine.key !== key) sweep(0);
+            else if (!("error" in told) && level + 1 < levels.length) sweep(level + 1);
+        });
+    };
+
+    /** The place is this one now. */
+    const set = (next: PlaceCase) => {
+        const its = JSON.stringify(next);
+        if (its === key) return;
+        key = its;
+        wanted = next;
+        // While something is dragged the first map of a moment ago is worth its end; what only refines it is not.
+        if (sweeping?.level === 0) return;
+        questions.abandon(`street-${1 - front}`);
+        sweep(0);
+    };
+
+    let looking = 0; // which look is under way
+    let looks = 0;
+    let next: Look | null = null;
+    /** The newest look is answered; those in between are left out. */
+    const look = (asked: Look) => {
+        if (!held || looking) {
+            next = asked;
+            return;
+        }
+        next = null;
+        const mine = (looking = ++looks);
+        const before = performance.now();
+        questions.ask(`street-${front}`, "look", asked, (told) => {
+            if (mine !== looking) return;
+            looking = 0;
+            times.looks.push(performance.now() - before);
+            if ("error" in told) listener.failed(told.error);
+            else listener.seen(asked, told);
+            if (next) look(next);
+        });
+    };
+    return {
+        set,
+        look,
+        looking: () => looking !== 0,
+        times,
+        /** Null: none yet. `current`: of the place that was set last. */
+        state: () => held && { ...held, current: held.key === key, finest: held.level === levels.length - 1 },
+    };
+}
