@@ -4,6 +4,7 @@
 
 #include "all_maneuvers/smallest_slot.hpp"
 #include "contact/sized_slot.hpp"
+#include "full_steering/proof/sizes.hpp"
 #include "full_steering/smallest_slot.hpp"
 #include "sentences/check.hpp"
 #include "snug/error.hpp"
@@ -29,8 +30,13 @@ void check_fewest(const MinSlotOptions& options) {
 
 MinSlot min_slot(const Car& car, double given, const MinSlotOptions& options) {
     detail::check(options, given);
-    if (options.strategy == Strategy::max_steer)
-        return detail::smallest_slots(car, given, {options.max_changes}, options).front();
+    if (options.strategy == Strategy::max_steer) {
+        if (options.prove && options.min_range > 0.0)
+            throw Error("a proof is asked for with a smallest range of headings, but it is about all; leave one out");
+        MinSlot found = detail::smallest_slots(car, given, {options.max_changes}, options).front();
+        if (options.prove && !found.cancelled) detail::prove_smaller(car, given, options, found);
+        return found;
+    }
     check_fewest(options);
     std::optional<double> known;
     // The paper's strategy is a start.

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "snug/car.hpp"
 #include "snug/driving.hpp"
@@ -29,8 +30,18 @@ struct MinSlotOptions {
     double widest = 4.0;      ///< likewise for the width [m]
     double precision = 1e-3;  ///< fewest: to which both sizes are found [m], as far as the resolution lets them
     double resolution = 0.0;  ///< fewest: spacing of the finest lattice [m]; 0: a two-thousandth of the car's length
+    /// max_steer: show that no smaller slot will do. Takes from milliseconds to 2 s; without a smallest range.
+    bool prove = false;
     /// Told the part done (0 to 1) from time to time; returning false ends with what is known so far.
     std::function<bool(double)> progress = {};
+};
+
+/// A closed range of sizes. [m]
+struct Sizes {
+    double min = 0.0;
+    double max = 0.0;
+
+    friend bool operator==(const Sizes&, const Sizes&) = default;
 };
 
 /// A slot that is just large enough, as far as it is known.
@@ -38,7 +49,10 @@ struct MinSlot {
     int max_changes = 0;           ///< as asked for
     std::optional<double> length;  ///< [m]; what is sought is empty where nothing within the limits is found to do
     std::optional<double> width;   ///< [m]
-    double lower = 0.0;            ///< of what is sought: fewest proves that nothing smaller will do [m]
+    double lower = 0.0;  ///< of what is sought: nothing smaller will do, where that is proved (fewest, `prove`) [m]
+    /// With `prove`, between `lower` and what is sought: sizes that park as well, or of which nothing is known. No other
+    /// size there parks.
+    std::vector<Sizes> open;
     std::optional<double> entry_heading;  ///< max_steer: from which the car parks in it [rad]
     /// Given up, by the progress callback or at the bound on work: as far as it had come.
     bool cancelled = false;

@@ -95,20 +95,21 @@ private:
     }
 
     /// A corner, sixteen roundings of its place, eight of what a stage that begins a little too late may do to it.
-    [[nodiscard]] Condition corner(Condition::Kind kind, const std::vector<Point>& corners, std::size_t i,
-                                   double level) const {
+    [[nodiscard]] Condition corner(Condition::Kind kind, const std::vector<Point>& corners, std::size_t i, double level,
+                                   double level_error = 0.0) const {
         Condition condition;
         condition.kind = kind;
         condition.x = corners[i].x;
         condition.y = corners[i].y - offset_;
         condition.level = level;
         condition.error = unit * (16.0 * (std::abs(condition.x) + std::abs(condition.y) + std::abs(offset_)) +
-                                  16.0 * size_of(corners) + 2.0 * std::abs(level));
+                                  16.0 * size_of(corners) + 2.0 * std::abs(level)) +
+                          level_error;
         condition.make_linear();
         return condition;
     }
 
-    [[nodiscard]] Condition edge(const std::vector<Point>& corners, std::size_t i, Point at) const {
+    [[nodiscard]] Condition edge(const std::vector<Point>& corners, std::size_t i, Point at, double at_error) const {
         const Point n = normal(corners, i);
         Condition condition;
         condition.kind = Condition::inside;
@@ -118,7 +119,8 @@ private:
         condition.edge = i;
         condition.kx = at.x;
         condition.ky = at.y;
-        condition.error = unit * 32.0 * (size_of(corners) + std::abs(offset_) + std::abs(at.x) + std::abs(at.y));
+        condition.error =
+            unit * 32.0 * (size_of(corners) + std::abs(offset_) + std::abs(at.x) + std::abs(at.y)) + at_error;
         return condition;
     }
 
@@ -126,6 +128,7 @@ private:
         const std::vector<Point>& body = problem_.body;
         const Point corner_at =
             ahead ? Point{0.0, -problem_.front_setback} : Point{-problem_.length, -problem_.rear_setback};
+        const double error = ahead ? 0.0 : problem_.length_error;
         Obstacle made;
         add_stages(made.stages, body, {down, ahead ? right : left});
         finish(made.stages);
@@ -136,12 +139,12 @@ private:
             const std::size_t from = ahead ? at.lowest : at.leftmost;
             const std::size_t to = ahead ? at.rightmost : at.lowest;
             if (ahead) made.conditions.push_back(corner(Condition::below, body, at.lowest, corner_at.y));
-            if (!ahead) made.conditions.push_back(corner(Condition::left_of, body, at.leftmost, corner_at.x));
+            if (!ahead) made.conditions.push_back(corner(Condition::left_of, body, at.leftmost, corner_at.x, error));
             for (std::size_t i = from;; i = (i + 1) % body.size()) {
                 if (ahead && i == problem_.entry_corner)
                     stage.entry_condition = static_cast<int>(made.conditions.size() - stage.first);
                 if (i == to) break;
-                made.conditions.push_back(edge(body, i, corner_at));
+                made.conditions.push_back(edge(body, i, corner_at, error));
             }
             if (ahead) made.conditions.push_back(corner(Condition::right_of, body, at.rightmost, corner_at.x));
             if (!ahead) made.conditions.push_back(corner(Condition::below, body, at.lowest, corner_at.y));
@@ -159,7 +162,8 @@ private:
             Stage& stage = made.stages[k];
             const Extremes at(problem_.at_curb, middle(made.stages, k));
             stage.first = made.conditions.size();
-            made.conditions.push_back(corner(Condition::below, problem_.at_curb, at.lowest, -problem_.width));
+            made.conditions.push_back(
+                corner(Condition::below, problem_.at_curb, at.lowest, -problem_.width, problem_.width_error));
             stage.last = made.conditions.size();
         }
         return made;
@@ -186,12 +190,13 @@ private:
             stage.first = made.conditions.size();
             made.conditions.push_back(corner(Condition::below, frame, at.highest, 0.0));
             if (problem_.parked_curb < infinity)
-                made.conditions.push_back(
-                    corner(Condition::below, frame, at.lowest, problem_.parked_curb - problem_.width));
+                made.conditions.push_back(corner(Condition::below, frame, at.lowest,
+                                                 problem_.parked_curb - problem_.width, problem_.width_error));
             if (problem_.front_setback > 0.0)
                 made.conditions.push_back(corner(Condition::left_of, frame, at.rightmost, 0.0));
             if (problem_.rear_setback > 0.0)
-                made.conditions.push_back(corner(Condition::right_of, frame, at.leftmost, -problem_.length));
+                made.conditions.push_back(
+                    corner(Condition::right_of, frame, at.leftmost, -problem_.length, problem_.length_error));
             stage.last = made.conditions.size();
         }
         return made;

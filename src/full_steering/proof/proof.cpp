@@ -188,11 +188,37 @@ double steepest_parked(const ProofProblem& problem, bool above) {
     // The height changes by less than the sizes per radian: steps that cannot miss a fit.
     const double speed = 2.0 * size;
     while (steepest > 0.0) {
-        const double over = height(steepest) - problem.width;
+        const double over = height(steepest) - problem.width - problem.width_error;
         if (over <= slack) break;
         steepest -= std::max(over / speed, 1e-12);
     }
     return std::max(steepest, 0.0) + 1e-9;
+}
+
+bool none_parks(const ProofProblem& problem, int max_changes, std::size_t& moves_left) {
+    // Narrower boxes would tell no more of slots that differ that much.
+    const double narrowest = std::max(1e-11, 0.01 * (problem.length_error + problem.width_error));
+    constexpr int first_boxes = 16;
+    Driver driver(problem, max_changes);
+    std::vector<Box> boxes;
+    for (int i = first_boxes; i-- > 0;) {
+        const double end =
+            i + 1 < first_boxes ? quarter_turn * (i + 1) / first_boxes : std::nextafter(quarter_turn, 2.0);
+        boxes.emplace_back(quarter_turn * i / first_boxes, end);
+    }
+    bool none = true;
+    while (none && !boxes.empty() && driver.moves() < moves_left) {
+        Box box = boxes.back();
+        boxes.pop_back();
+        const Outcome outcome = driver.look(box, max_changes);
+        none = outcome.what != Outcome::parks;
+        if (outcome.what != Outcome::undecided) continue;
+        none = box.max - box.min > narrowest;
+        if (none) cut(box, outcome, driver, problem.radius, boxes);
+    }
+    none = none && boxes.empty();
+    moves_left -= std::min(moves_left, driver.moves());
+    return none;
 }
 
 ProvedRanges prove_ranges(const ProofProblem& problem, int max_changes, Find find, const ProofHints& hints,

@@ -27,6 +27,8 @@ struct ProofProblem {
     double width = 0.0;            ///< of the slot [m]
     double front_setback = 0.0;    ///< [m]
     double rear_setback = 0.0;     ///< [m]
+    double length_error = 0.0;     ///< all slots that are longer or shorter by no more than this [m]
+    double width_error = 0.0;      ///< or wider or narrower [m]
     double parked_heading = 0.0;   ///< largest angle off parallel when parked, at most a quarter turn [rad]
     double parked_curb = std::numeric_limits<double>::infinity();  ///< largest distance from the curb when parked [m]
 };
@@ -56,6 +58,10 @@ struct ProofHints {
 /// Find::all: every range with at most max_changes; Find::fewest: those with the smallest count there is.
 ProvedRanges prove_ranges(const ProofProblem& problem, int max_changes, Find find, const ProofHints& hints = {},
                           const Progress& progress = {}, std::size_t most_moves = 20'000'000);
+
+/// Does nothing park with at most max_changes, in any slot within the errors of the problem's dimensions? False where that
+/// is not so, or cannot be told with so many moves; they are taken from `moves_left`.
+bool none_parks(const ProofProblem& problem, int max_changes, std::size_t& moves_left);
 
 /// How far below parallel, or above, a car can be parked, at most: where the frame fits between entry side and curb, up to
 /// parked_heading. Headings only fall, so a car that comes to rest steeper below than this parks no more. [rad]
