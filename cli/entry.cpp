@@ -1,6 +1,10 @@
 // snug entry: from which headings can the car enter the slot, and how does it go on from there.
 #include "cli/entry.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
 
 #include "cli/command.hpp"
@@ -11,8 +15,10 @@
 #include "cli/trajectory.hpp"
 #include "cli/way_out.hpp"
 #include "cli/waypoints.hpp"
+#include "cli/words.hpp"
 #include "io/csv.hpp"
 #include "sentences/check.hpp"
+#include "snug/contact.hpp"
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
 #include "snug/limits.hpp"
@@ -190,6 +196,31 @@ struct Files {
     std::string path;
 };
 
+/// What it takes to end parallel and near the curb, where the car ends otherwise; empty where it does, and under a limit of time.
+std::string ending_better(const EntryQuestion& question, FewestOptions options, const Answer& answer) {
+    constexpr double straight = std::numbers::pi / 180.0, near = 0.15;  // [rad] and [m]
+    constexpr int more = 6;
+    constexpr double coarse = 1e-3;  // of the car's length
+    if (!answer.maneuver || options.time_limit < std::numeric_limits<double>::infinity()) return "";
+    const Pose goal = answer.maneuver->goal();
+    const double aslant = std::abs(std::remainder(question.slot.to_slot(goal).heading, 2.0 * std::numbers::pi));
+    if (aslant <= straight && gaps(question.car, question.slot, goal).curb <= near + 1e-6) return "";
+    options.max_changes = *answer.direction_changes + more;
+    options.parked.heading = std::min(options.parked.heading, straight);
+    options.parked.curb = std::min(options.parked.curb, near);
+    options.resolution = std::max(options.resolution, coarse * question.car.length());
+    options.roomiest = false;
+    options.progress = nullptr;
+    const std::string how = "\n(--parked-heading 1 --parked-curb 0.15).\n";
+    const Answer better = fewest(question.car, question.slot, options);
+    if (better.direction_changes == answer.direction_changes)
+        return "\nWith as many it can end within 1 deg of parallel and " + metres(near) + " of the curb" + how;
+    const std::string end = "\nTo end within 1 deg of parallel and " + metres(near) + " of the curb ";
+    if (better.direction_changes && better.proved) return end + "takes " + changes(*better.direction_changes) + how;
+    if (better.direction_changes) return end + "takes at most " + changes(*better.direction_changes) + how;
+    return end + "takes more than " + changes(better.lower_bound - 1) + how;
+}
+
 /// --strategy fewest: another question, with a maneuver and no ranges of headings.
 Action fewest_action(const Asked& asked, const EntryQuestion& question) {
     FewestOptions options;
@@ -212,7 +243,7 @@ Action fewest_action(const Asked& asked, const EntryQuestion& question) {
         } else if (format == Format::csv) {
             text = moves_csv(answer);
         } else {
-            text = fewest_text(question, options.max_changes, answer);
+            text = fewest_text(question, options.max_changes, answer) + ending_better(question, options, answer);
             if (!answer.maneuver && answer.proved)
                 text += way_out_text(question, way_out(question, Strategy::fewest, options.max_changes));
         }

@@ -112,7 +112,9 @@ Action parse_leave(const Arguments& arguments) {
         if (files.timed)
             write_file("--trajectory", files.timed->path, written(*files.timed, question.car, answer.maneuver));
         if (files.picture && answer.maneuver) {
-            const PictureOptions drawn = {limited.driving};
+            PictureOptions drawn;
+            drawn.driving = limited.driving;
+            drawn.leaving = true;
             write_file("--draw", files.picture->path,
                        draw_maneuver(question.slot, *answer.maneuver, files.picture->format, drawn));
         }

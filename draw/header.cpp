@@ -42,8 +42,13 @@ void draw_header(cairo_t* canvas, const Car& car, const Slot& slot, const Unit& 
     std::string facts = "car " + size_label(car.length(), car.width(), unit) + ", turning radius " +
                         length_label(car.turning_radius(), unit) + "; slot " +
                         size_label(slot.length(), slot.width(), unit) + " on the " +
-                        (slot.side() == Side::left ? "left" : "right") + ", entered " +
-                        (options.driving.enter == Enter::forward ? "nose first" : "tail first");
+                        (slot.side() == Side::left ? "left" : "right");
+    const bool tail = options.driving.enter == Enter::backward;
+    if (options.leaving) {
+        facts += tail ? ", left nose first" : ", left tail first";
+    } else {
+        facts += tail ? ", entered tail first" : ", entered nose first";
+    }
     if (options.driving.clearance > 0.0) {
         facts += ", clearance " + length_label(options.driving.clearance, unit);
     }

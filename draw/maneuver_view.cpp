@@ -72,10 +72,18 @@ void draw_stage(cairo_t* canvas, const View& view, const Stage& stage, const Box
     draw_cross(canvas, view, stage.slot, entry, palette::entry_text);
     draw_cross(canvas, view, stage.slot, goal, palette::goal_text);
     write_beside(canvas, view, stage, entry,
-                 "entry position, heading " + degrees_label(std::abs(stage.slot.to_slot(entry).heading)),
+                 (stage.options.leaving ? "parked pose, heading " : "entry position, heading ") +
+                     degrees_label(std::abs(stage.slot.to_slot(entry).heading)),
                  {type::normal, palette::entry_text, true, Align::center, true});
-    write(canvas, on_page(view, stage.slot, goal, {0.82 * stage.car.front(), 0.0}), "goal",
-          {type::normal, palette::goal_text, true, Align::center, true});
+    write(canvas, on_page(view, stage.slot, goal, {0.82 * stage.car.front(), 0.0}),
+          stage.options.leaving ? "out" : "goal", {type::normal, palette::goal_text, true, Align::center, true});
+}
+
+/// What the table says at the end of each move where nothing is met.
+std::vector<std::string> ends_of_leaving(const std::vector<Leg>& legs) {
+    std::vector<std::string> ends(legs.size());
+    ends.back() = "the way is free";
+    return ends;
 }
 
 std::string draw_driven(const Slot& slot, const Maneuver& maneuver, PictureFormat format,
@@ -90,7 +98,8 @@ std::string draw_driven(const Slot& slot, const Maneuver& maneuver, PictureForma
 
     const double table_top = page.y_max + key_height + 14.0;
     const double height = table_top + table_height(legs.size()) + margin;
-    const std::string facts = changes_label(maneuver.direction_changes()) + ", entry heading " +
+    const std::string facts = changes_label(maneuver.direction_changes()) +
+                              (options.leaving ? ", parked heading " : ", entry heading ") +
                               degrees_label(std::abs(slot.to_slot(maneuver.entry()).heading)) + ", " +
                               path_label(maneuver.length(), unit) + " driven";
     return to_bytes({page_width, height}, format, picture_title(car, slot, unit) + ": " + facts, [&](cairo_t* canvas) {
@@ -99,7 +108,9 @@ std::string draw_driven(const Slot& slot, const Maneuver& maneuver, PictureForma
         draw_dimensions(canvas, view, slot, unit);
         draw_scale(canvas, view, slot);
         draw_key(canvas, {page.x_min, page.y_max + key_height / 2 + 2.0}, view, options.driving.clearance > 0.0);
-        draw_table(canvas, {margin, table_top}, page_width - 2 * margin, maneuver, slot, legs, unit);
+        std::vector<std::string> ends;
+        if (options.leaving) ends = ends_of_leaving(legs);
+        draw_table(canvas, {margin, table_top}, page_width - 2 * margin, maneuver, slot, legs, unit, ends);
     });
 }
 

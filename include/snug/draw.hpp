@@ -28,6 +28,7 @@ std::string_view called(Obstacle obstacle);
 /// What the answer was asked with.
 struct PictureOptions {
     Driving driving = {};
+    bool leaving = false;                        ///< draw_maneuver(): from the parked pose out onto the road
     std::vector<std::vector<Pose>> tracks = {};  ///< of a car that errs, below the maneuver of draw_park()
 };
 

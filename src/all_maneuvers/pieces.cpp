@@ -134,6 +134,8 @@ private:
     [[nodiscard]] std::optional<LatticePath::Leg> bridge(const LatticePath::Leg& leg, std::size_t from, std::size_t to,
                                                          const Pose& pose, double least, double most) const;
     void drop_points(Plan& plan) const;
+    /// Full or straight steering in the place of what lies between, wherever all that follows can be driven to the same points.
+    void steer_plainly(Plan& plan) const;
     /// Takes as little of something (all of it: 1) as still gets out. Returns whether the corner then passes p itself,
     /// and the plan for that.
     bool sink_to_p(Plan& plan, const std::function<Plan(double)>& less) const;
@@ -353,6 +355,59 @@ void Smoother::drop_points(Plan& plan) const {
     }
 }
 
+void Smoother::steer_plainly(Plan& plan) const {
+    const double negligible = 1e-9 * radius_;
+    // Two for a piece whose steering must be held between straight and full, one for another, none for none.
+    const auto minds = [&](const Characteristic& from, const Characteristic& to) {
+        const double along_a = std::abs(to.a - from.a), along_b = std::abs(to.b - from.b);
+        if (along_a <= negligible && along_b <= negligible) return 0;
+        const bool plain = along_a <= negligible || along_b <= negligible || std::abs(along_a - along_b) <= negligible;
+        return plain ? 1 : 2;
+    };
+    const auto leads = [&](Direction direction, const Characteristic& from, const Characteristic& to) {
+        const double sign = direction == Direction::forward ? 1.0 : -1.0;
+        return sign * (to.a - from.a) >= 0.0 && sign * (to.b - from.b) >= 0.0;
+    };
+    std::size_t tries = most_tries / std::max<std::size_t>(1, piece_count(plan));
+    for (bool better = true; better;) {
+        better = false;
+        Characteristic from = characteristic(plan.start);
+        for (std::size_t i = 0; i < plan.legs.size(); ++i) {
+            for (std::size_t j = 0; j < plan.legs[i].points.size(); ++j) {
+                const Direction direction = plan.legs[i].direction;
+                const bool ends_leg = j + 1 == plan.legs[i].points.size(), ends = ends_leg && i + 1 == plan.legs.size();
+                Characteristic& point = plan.legs[i].points[j];
+                const Characteristic before = point;
+                const Characteristic next = ends       ? before
+                                            : ends_leg ? plan.legs[i + 1].points.front()
+                                                       : plan.legs[i].points[j + 1];
+                const Direction after = ends_leg && !ends ? plan.legs[i + 1].direction : direction;
+                const double straight_a = before.a - from.a, straight_b = before.b - from.b;
+                const double both = (straight_a + straight_b) / 2.0;
+                for (const Characteristic& other : {Characteristic{from.a, before.b}, Characteristic{before.a, from.b},
+                                                    Characteristic{from.a + both, from.b + both},
+                                                    Characteristic{from.a + straight_a, from.b + straight_a},
+                                                    Characteristic{from.a + straight_b, from.b + straight_b},
+                                                    Characteristic{next.a, before.b}, Characteristic{before.a, next.b},
+                                                    Characteristic{from.a, next.b}, Characteristic{next.a, from.b}}) {
+                    if (!leads(direction, from, other) || (!ends && !leads(after, other, next))) continue;
+                    const int gain = minds(from, point) + (ends ? 0 : minds(point, next)) - minds(from, other) -
+                                     (ends ? 0 : minds(other, next));
+                    if (gain <= 0) continue;
+                    if (tries-- == 0) return;
+                    const Characteristic was = std::exchange(point, other);
+                    if (driven(plan).empty()) {
+                        point = was;
+                    } else {
+                        better = true;
+                    }
+                }
+                from = point;
+            }
+        }
+    }
+}
+
 bool Smoother::sink_to_p(Plan& plan, const std::function<Plan(double)>& less) const {
     double works = 1.0, fails = 0.0;
     for (int i = 0; i < 100; ++i) {
@@ -460,6 +515,7 @@ std::vector<Move> Smoother::leaving(const LatticePath& path, Finish finish) cons
         straighten(plan);
         drop_points(plan);
     }
+    if (finish == Finish::tidy) steer_plainly(plan);
     // Whoever passes above p may climb less.
     if (finish == Finish::at_p && !shorten_last_backward(plan) && !turn_right_earlier(plan)) start_lower(plan);
     return driven(plan);

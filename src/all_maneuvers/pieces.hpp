@@ -35,7 +35,7 @@ FirstContact contact_on(const Ground& ground, const Pose& start, Direction direc
 /// How much is made of a path.
 enum class Finish {
     checked,  ///< free of contact, pieces as they come
-    tidy,     ///< few pieces
+    tidy,     ///< few pieces, full or straight steering where that costs nothing
     at_p,     ///< few pieces, and the body's front corner on the right passes p if it can
 };
 

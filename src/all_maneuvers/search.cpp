@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -163,8 +164,10 @@ void narrow(const LeavingQuestion& question, int depth, LeavingBounds& bounds, c
 
 namespace {
 
-/// The roomiest way out with as many changes as the bounds; none if the lattices find none.
-std::vector<Move> roomiest_moves(const LeavingQuestion& question, const LeavingBounds& bounds, const Watch& watch) {
+/// The roomiest way out with as many changes as the bounds; none if the lattices find none. They are no finer than a part of
+/// the car's length, and distances are halved so many times.
+std::vector<Move> roomiest_moves(const LeavingQuestion& question, const LeavingBounds& bounds, double finest_part,
+                                 int halvings, const Watch& watch) {
     const int changes = *bounds.upper;
     const Car& car = question.ground.car;
     const auto keeping = [&](double distance) {
@@ -176,10 +179,12 @@ std::vector<Move> roomiest_moves(const LeavingQuestion& question, const LeavingB
     std::optional<Rows> reached;
     if (too_large(question)) return {};
     double spacing = coarsest(question);
-    for (; spacing > std::max(0.999 * finest(question), 2e-4 * car.length()); spacing /= 2.0) {
+    for (; spacing > std::max(0.999 * finest(question), finest_part * car.length()); spacing /= 2.0) {
         const Lattice lower(question.ground.problem, question.ground.driving.enter, Bound::lower, spacing,
                             question.anchor, reached ? &*reached : nullptr, watch);
-        reached = run_chain(lower, question, changes, true, watch).reached;
+        Chain chain = run_chain(lower, question, changes, true, watch);
+        if (!chain.out) return {};
+        reached = std::move(chain.reached);
         if (spacing > 1e-3 * car.length()) continue;
         // The greatest distance with which the car still gets out.
         double kept = 0.0;
@@ -193,12 +198,48 @@ std::vector<Move> roomiest_moves(const LeavingQuestion& question, const LeavingB
             return true;
         };
         if (!try_keeping(kept)) continue;
-        for (int i = 0; i < 7; ++i) {
+        for (int i = 0; i < halvings; ++i) {
             const double middle = (kept + too_much) / 2.0;
             (try_keeping(middle) ? kept : too_much) = middle;
         }
         std::vector<Move> moves = leaving_moves(question.ground, *best, question.finish, watch);
         if (!moves.empty()) return moves;
+    }
+    return {};
+}
+
+/// The same question where only those cars count as parked that stand at most so far off parallel [rad], at most so far from the
+/// curb and at least so far from both neighbours [m].
+LeavingQuestion parked_well(const LeavingQuestion& question, double heading, double curb, double apart) {
+    LeavingQuestion better = question;
+    Problem& problem = better.ground.problem;
+    problem.parked.heading = std::min(problem.parked.heading, heading);
+    problem.parked.curb = std::min(problem.parked.curb, curb);
+    std::vector<Point> longer = problem.frame.corners();
+    for (Point& corner : longer) corner.x += corner.x > 0.0 ? apart : -apart;
+    problem.frame = Outline(longer);
+    return better;
+}
+
+/// A good way out of a place where the car stands well: parallel, then near the curb, then in the middle between the neighbours;
+/// none if the lattices find none with as many changes.
+std::vector<Move> well_parked_moves(const LeavingQuestion& question, const LeavingBounds& bounds, const Watch& watch,
+                                    const std::function<bool(const std::vector<Move>&)>& good) {
+    constexpr double coarse = 6e-4;  // of the car's length
+    constexpr double anywhere = std::numeric_limits<double>::infinity();
+    const double half = 0.5 * std::max(0.0, question.ground.slot.length() - question.ground.car.length());
+    for (const double heading : {1e-3, 0.02, 0.05}) {
+        for (const double curb : {0.15, 0.3, anywhere}) {
+            std::vector<Move> moves =
+                roomiest_moves(parked_well(question, heading, curb, 0.0), bounds, coarse, 0, watch);
+            if (moves.empty()) continue;  // the least that is asked
+            for (const double part : {0.8, 0.4, 0.15, 0.0}) {
+                std::vector<Move> apart =
+                    roomiest_moves(parked_well(question, heading, curb, part * half), bounds, coarse, 4, watch);
+                if (good(apart)) return apart;
+            }
+            if (good(moves)) return moves;
+        }
     }
     return {};
 }
@@ -211,7 +252,8 @@ void make_drivable(const LeavingQuestion& question, LeavingBounds& bounds, bool 
         return !moves.empty() && (question.finish != Finish::at_p || ends_at_p(question.ground, moves));
     };
     std::vector<Move> best;
-    if (roomiest) best = roomiest_moves(question, bounds, watch);
+    if (roomiest && question.finish == Finish::at_p) best = well_parked_moves(question, bounds, watch, good);
+    if (roomiest && !good(best)) best = roomiest_moves(question, bounds, 2e-4, 7, watch);
     if (!good(best) && bounds.path) {
         std::vector<Move> plain = leaving_moves(question.ground, *bounds.path, question.finish, watch);
         if (best.empty() || good(plain)) best = std::move(plain);

@@ -65,7 +65,7 @@ Answer answer_of(const LeavingQuestion& question, LeavingBounds bounds, const Ca
                  bool driven_in);
 /// Looks at the clock, whether so many times the limit are gone, and tells the callback; both must outlive it.
 Watch watch_of(const FewestOptions& options, const LeavingBounds& bounds, double times = 1.0);
-/// For moves_at_hand(): an answer, if late, is better than none.
-inline constexpr double limits_at_hand = 2.0;
+/// For moves_at_hand(): an answer, if late, is better than none. It takes milliseconds, or the slot is a very large one.
+inline constexpr double limits_at_hand = 50.0;
 
 }  // namespace snug::detail
