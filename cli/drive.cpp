@@ -33,8 +33,6 @@ constexpr const char* examples =
     "Exit codes: 0 enough runs park; 1 too few, or no plan with a margin; 2 bad input,\n"
     "with one line that says what is wrong. Ctrl-C ends with the runs done so far.";
 
-enum class Steer { standing };
-
 struct Asked {
     explicit Asked(Options& options)
         : where(options),

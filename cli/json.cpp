@@ -41,6 +41,12 @@ std::string park_json(const ParkQuestion& question, const ParkAnswer& answer) {
     return write(park_as_json(question.car, question.scene, question.options, answer));
 }
 
+std::string park_json(const ParkQuestion& question, const RollingAnswer& answer) {
+    if (question.street)
+        return write(park_as_json(question.car, *question.street, question.scene.start, question.options, answer));
+    return write(park_as_json(question.car, question.scene, question.options, answer));
+}
+
 std::string drive_json(const ParkQuestion& question, const DriveOptions& options, const DriveAnswer& answer) {
     if (question.street)
         return write(drive_as_json(question.car, *question.street, question.scene.start, options, answer));

@@ -27,6 +27,7 @@ std::string entry_json(const EntryQuestion& question, const Answer& answer, cons
 std::string fewest_json(const EntryQuestion& question, const Answer& answer);
 std::string leave_json(const EntryQuestion& question, const Answer& answer);
 std::string park_json(const ParkQuestion& question, const ParkAnswer& answer);
+std::string park_json(const ParkQuestion& question, const RollingAnswer& answer);
 std::string drive_json(const ParkQuestion& question, const DriveOptions& options, const DriveAnswer& answer);
 /// The answer of an atlas, with the stored cell that it comes from.
 std::string atlas_json(const EntryQuestion& question, Strategy strategy, const Answer& answer, const AtlasCell& cell);

@@ -1,6 +1,7 @@
 // snug park: from where the car stands into the slot, with the fewest direction changes.
 #include "cli/park.hpp"
 
+#include <chrono>
 #include <numbers>
 
 #include "cli/interrupt.hpp"
@@ -42,6 +43,11 @@ struct Asked {
     explicit Asked(Options& options)
         : where(options),
           search(options, "eight-hundredth"),
+          steer(options.choice<Steer>(
+              "--steer", "STEER",
+              "standing (default), or moving: the steering turns only\nwhile the car rolls, which "
+              "may take more changes.",
+              {{"standing", Steer::standing}, {"moving", Steer::moving}})),
           files(options),
           view(options.choice<ParkView>("--view", "VIEW",
                                         "What to draw: maneuver (default), or map: from where\nin the place how many "
@@ -50,6 +56,7 @@ struct Asked {
 
     WhereOptions where;
     SearchOptions search;
+    Option<Steer> steer;
     ParkFileOptions files;
     Option<ParkView> view;
 };
@@ -118,7 +125,8 @@ Action parse_park(const Arguments& arguments) {
     ParkFiles files = asked.files.files(asked.files.output.format());
     refuse_without(asked.files.draw, asked.view);
     files.view = asked.view.value_or(files.view);
-    return park_action(whole, files);
+    return asked.steer.value_or(Steer::standing) == Steer::moving ? rolling_action(whole, files)
+                                                                  : park_action(whole, files);
 }
 
 WhereOptions::WhereOptions(Options& options)
@@ -174,6 +182,43 @@ ParkFiles ParkFileOptions::files(Format format) const {
     files.timed = trajectory_file(trajectory, waypoints.file, draw, output.file);
     files.path = output.path();
     return files;
+}
+
+Action rolling_action(const ParkQuestion& question, const ParkFiles& files) {
+    return [question, files] {
+        RollingOptions options;
+        options.clearance = question.options.clearance;
+        options.spacing = question.options.resolution;
+        options.max_changes = question.options.max_changes;
+        if (files.timed) options.steering_rate = files.timed->limits.steering_rate;
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(question.options.time_limit);
+        options.progress = [&] { return interruption() == 0 && std::chrono::steady_clock::now() < end; };
+        RollingAnswer answer;
+        {
+            const Interruptible interruptible;
+            answer = park_rolling(question.car, question.scene.place, question.scene.start, options);
+        }
+        const std::optional<Maneuver> arcs = answer.maneuver ? std::optional(answer.maneuver->in_arcs()) : std::nullopt;
+        if (files.route) write_file("--waypoints", files.route->path, written(*files.route, arcs));
+        if (files.timed) {
+            const RollingManeuver way = answer.maneuver.value_or(RollingManeuver{question.car, {}});
+            write_file("--trajectory", files.timed->path, written(*files.timed, trajectory(way, files.timed->limits)));
+        }
+        if (files.picture) {
+            ParkAnswer shown;
+            shown.maneuver = arcs;
+            if (arcs) shown.direction_changes = arcs->direction_changes();
+            shown.lower_bound = answer.lower_bound;
+            write_file("--draw", files.picture->path,
+                       files.view == ParkView::map ? drawn_map(*files.picture, question)
+                                                   : drawn(*files.picture, question, shown));
+        }
+        put_out(files.path, files.format == Format::json  ? park_json(question, answer)
+                            : files.format == Format::csv ? park_as_csv(answer)
+                                                          : park_text(question, answer));
+        if (interruption() != 0) return interruption();
+        return answer.maneuver ? 0 : 3;
+    };
 }
 
 Action park_action(const ParkQuestion& question, const ParkFiles& files) {

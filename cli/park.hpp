@@ -9,6 +9,7 @@
 #include "cli/trajectory.hpp"
 #include "cli/waypoints.hpp"
 #include "snug/park.hpp"
+#include "snug/rolling.hpp"
 #include "snug/scene.hpp"
 
 namespace snug::cli {
@@ -23,6 +24,8 @@ struct ParkQuestion {
 
 /// What a person needs: what to do move by move from where the car stands, how it ends, and what is proved. At most 80 columns.
 std::string park_text(const ParkQuestion& question, const ParkAnswer& answer);
+/// The same where the steering turns only while the car rolls.
+std::string park_text(const ParkQuestion& question, const RollingAnswer& answer);
 
 /// The car, the place and where the car stands, of park and drive alike: a slot at a street, or --scene; and --from.
 struct WhereOptions {
@@ -53,6 +56,9 @@ struct SearchOptions {
     Option<double> time_limit;
 };
 
+/// When the steering may turn.
+enum class Steer { standing, moving };
+
 /// What --draw shows.
 enum class ParkView { maneuver, map };
 
@@ -79,5 +85,7 @@ struct ParkFileOptions {
 
 /// Answers the question, with what is known when Ctrl-C is pressed.
 Action park_action(const ParkQuestion& question, const ParkFiles& files);
+/// With steering that turns only while the car rolls.
+Action rolling_action(const ParkQuestion& question, const ParkFiles& files);
 
 }  // namespace snug::cli

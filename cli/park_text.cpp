@@ -197,7 +197,49 @@ std::string refusal(const ParkQuestion& question, const ParkAnswer& answer) {
                 : "but only fewer than " + changes(answer.lower_bound) + " are proved impossible.\n");
 }
 
+/// The pieces of a way whose steering turns only while the car rolls.
+std::string moves(const ParkQuestion& question, const RollingManeuver& maneuver) {
+    if (maneuver.pieces.empty()) return "\nNothing is left to do.\n";
+    Rows rows = {{"", "drive", "steering", "", "distance", "until"}};
+    int number = 0;
+    const std::vector<RollingPiece>& pieces = maneuver.pieces;
+    const auto angle = [&](double curvature) {
+        return steering(question.car, std::atan(question.car.wheelbase() * curvature));
+    };
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const RollingPiece& piece = pieces[i];
+        const bool begins = i == 0 || pieces[i - 1].direction != piece.direction;
+        const bool last = i + 1 == pieces.size();
+        const bool stops = last || pieces[i + 1].direction != piece.direction;
+        rows.push_back({begins ? std::to_string(++number) : "", std::string(begins ? to_string(piece.direction) : ""),
+                        angle(piece.curvature),
+                        piece.sharpness == 0.0 ? "" : "to " + angle(piece.curvature_at(piece.length)),
+                        metres(piece.length),
+                        last    ? "stop: parked"
+                        : stops ? "stop here"
+                                : ""});
+    }
+    return "\nWhat to do\n" + table(rows, "rlllrl");
+}
+
 }  // namespace
+
+std::string park_text(const ParkQuestion& question, const RollingAnswer& answer) {
+    const std::string standing =
+        answer.standing_changes ? changes(*answer.standing_changes) + " would do" : "no way is known either";
+    if (!answer.maneuver)
+        return name(question.car) + " has no known way " + into_what(question) +
+               "\nthat steers only while it rolls, which proves nothing; with steering at\nstandstill " + standing +
+               ".\n";
+    const RollingManeuver& maneuver = *answer.maneuver;
+    Rows rows = {{"driven", metres(maneuver.length()) + " in " + fixed(trajectory(maneuver).seconds(), 0) + " s"}};
+    const Pose goal = maneuver.pieces.empty() ? question.scene.start : maneuver.pieces.back().end;
+    for (std::vector<std::string>& row : distances(question, goal)) rows.push_back(std::move(row));
+    return name(question.car) + " parks " + into_what(question) + "\nwith " + changes(maneuver.direction_changes()) +
+           ", and steers only while it rolls, at " + fixed(answer.creep, 2) + " m/s;\nwith steering at standstill " +
+           standing + ".\n" + where_it_stands(question) + moves(question, maneuver) + "\nHow it ends\n" +
+           table(rows, "ll");
+}
 
 std::string park_text(const ParkQuestion& question, const ParkAnswer& answer) {
     if (!answer.maneuver) return refusal(question, answer);

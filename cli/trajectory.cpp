@@ -17,8 +17,7 @@ constexpr double usual_period = 0.05;
 
 TrajectoryOptions::TrajectoryOptions(Options& options)
     : file(options.text("--trajectory", "FILE",
-                        "The maneuver over time, steering at standstill: FILE\nends with .csv, .json or .xosc "
-                        "(OpenSCENARIO).")),
+                        "The maneuver over time: FILE ends with .csv, .json or\n.xosc (OpenSCENARIO).")),
       period(options.number("--period", "S", "A point every so often [s] (0.05).", {" s", 1e-6, 1e6})),
       speed(options.number("--speed", "V", "Greatest speed [m/s] (1).", {" m/s", 1e-3, 1e3})),
       acceleration(options.number("--acceleration", "A", "Gaining speed [m/s2] (0.5).", {" m/s2", 1e-3, 1e3})),
@@ -54,8 +53,11 @@ std::optional<TrajectoryFile> trajectory_file(const TrajectoryOptions& options, 
 }
 
 std::string written(const TrajectoryFile& file, const Car& car, const std::optional<Maneuver>& maneuver) {
+    return written(file, trajectory(maneuver ? *maneuver : Maneuver{car, {}}, file.limits));
+}
+
+std::string written(const TrajectoryFile& file, const Trajectory& whole) {
     try {
-        const Trajectory whole = trajectory(maneuver ? *maneuver : Maneuver{car, {}}, file.limits);
         switch (file.format) {
             case TrajectoryFile::Format::json: return trajectory_json(whole, file.period);
             case TrajectoryFile::Format::openscenario: return as_openscenario(whole, file.period);

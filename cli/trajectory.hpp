@@ -36,5 +36,6 @@ std::optional<TrajectoryFile> trajectory_file(const TrajectoryOptions& options, 
 
 /// What the file holds; no points when there is no maneuver, so that no old ones stay behind. Throws Error.
 std::string written(const TrajectoryFile& file, const Car& car, const std::optional<Maneuver>& maneuver);
+std::string written(const TrajectoryFile& file, const Trajectory& whole);
 
 }  // namespace snug::cli

@@ -70,7 +70,8 @@ private:
                 if (++parked == looks_when_parked / looks_before_a_way + 1) return;
                 continue;
             }
-            if (instruction.what == Instruction::stuck) {
+            // What it measured cannot be: it looks again.
+            if (instruction.what == Instruction::stuck || instruction.what == Instruction::overlap) {
                 if (++stuck == most_looks) return;
                 continue;
             }

@@ -130,6 +130,69 @@ Json park_as_json(const Car& car, const Scene& scene, const ParkOptions& options
     return json;
 }
 
+namespace {
+
+double steering_angle(const RollingPiece& piece, const Car& car, double distance) {
+    return std::atan(car.wheelbase() * piece.curvature_at(distance));
+}
+
+ParkAnswer counts_of(const RollingAnswer& answer) {
+    ParkAnswer counts;
+    if (answer.maneuver) counts.direction_changes = answer.maneuver->direction_changes();
+    counts.lower_bound = answer.lower_bound;
+    counts.proved = counts.direction_changes == answer.lower_bound;
+    return counts;
+}
+
+Json with_rolling(Json json, const Pose& start, const RollingAnswer& answer) {
+    json.erase("spacing");
+    json["steer"] = "moving";
+    json["standing_changes"] = nullptr;
+    if (answer.standing_changes) json["standing_changes"] = *answer.standing_changes;
+    if (!answer.maneuver) return json;
+    json["creep"] = answer.creep;
+    const RollingManeuver& maneuver = *answer.maneuver;
+    Json moves = Json::array();
+    for (const RollingPiece& piece : maneuver.pieces)
+        moves.push_back({{"direction", to_string(piece.direction)},
+                         {"steering_angle", steering_angle(piece, maneuver.car, 0.0)},
+                         {"steering_angle_end", steering_angle(piece, maneuver.car, piece.length)},
+                         {"curvature", piece.curvature},
+                         {"sharpness", piece.sharpness},
+                         {"length", piece.length},
+                         {"start", as_json(piece.start)},
+                         {"end", as_json(piece.end)}});
+    json["maneuver"] = {{"direction_changes", maneuver.direction_changes()},
+                        {"length", maneuver.length()},
+                        {"seconds", trajectory(maneuver).seconds()},
+                        {"start", as_json(start)},
+                        {"goal", as_json(maneuver.pieces.empty() ? start : maneuver.pieces.back().end)},
+                        {"moves", std::move(moves)}};
+    return json;
+}
+
+}  // namespace
+
+Json park_as_json(const Car& car, const Street& street, const Pose& start, const ParkOptions& options,
+                  const RollingAnswer& answer) {
+    return with_rolling(park_as_json(car, street, start, options, counts_of(answer)), start, answer);
+}
+
+Json park_as_json(const Car& car, const Scene& scene, const ParkOptions& options, const RollingAnswer& answer) {
+    return with_rolling(park_as_json(car, scene, options, counts_of(answer)), scene.start, answer);
+}
+
+std::string park_as_csv(const RollingAnswer& answer) {
+    Csv csv({"direction", "steering_angle", "steering_angle_end", "length", "start_x", "start_y", "start_heading",
+             "end_x", "end_y", "end_heading"});
+    if (!answer.maneuver) return csv.text();
+    for (const RollingPiece& piece : answer.maneuver->pieces)
+        csv.row(to_string(piece.direction), steering_angle(piece, answer.maneuver->car, 0.0),
+                steering_angle(piece, answer.maneuver->car, piece.length), piece.length, piece.start.x, piece.start.y,
+                piece.start.heading, piece.end.x, piece.end.y, piece.end.heading);
+    return csv.text();
+}
+
 std::string park_as_csv(const Place& place, const ParkAnswer& answer) {
     Csv csv({"direction", "steering_angle", "length", "start_x", "start_y", "start_heading", "end_x", "end_y",
              "end_heading", "nearest_car", "nearest_obstacle", "nearest_distance"});

@@ -66,9 +66,13 @@ Car planned_car(const Car& car, double steering_reserve) {
     return Car(car.outline(), car.wheelbase(), car.max_steer() - steering_reserve, car.name());
 }
 
-ParkMap planned_map(const Car& car, const Place& place, const AssistantOptions& options) {
+void check(const Car& car, const AssistantOptions& options) {
     check_between("margin", options.margin, 0.0, limits::longest, " m");
     check_between("steering reserve", options.steering_reserve, 0.0, car.max_steer() / 2.0, " rad");
+}
+
+ParkMap planned_map(const Car& car, const Place& place, const AssistantOptions& options) {
+    check(car, options);
     ParkMapOptions map;
     map.spacing = options.spacing;
     map.clearance = options.margin;
@@ -102,6 +106,12 @@ Assistant::Assistant(const Car& car, const Place& place, const AssistantOptions&
 Assistant::Assistant(const Car& car, const Street& street, const AssistantOptions& options)
     : Assistant(car, street_place(street), of_street(street, options)) {}
 
+Assistant::Assistant(const Car& car, const Place& place, ParkMap map, const AssistantOptions& options)
+    : car_(car), place_(place), map_(std::move(map)) {
+    check(car, options);
+    map_.expect(planned_car(car, options.steering_reserve), planned_place(place, options.margin / 2.0), options.margin);
+}
+
 std::optional<Maneuver> Assistant::plan(const Pose& measured) const { return map_.maneuver(measured); }
 
 Instruction Assistant::next(const Pose& measured, std::optional<Direction> driven) const {
@@ -119,6 +129,39 @@ Instruction Assistant::next(const Pose& measured, std::optional<Direction> drive
     return {Instruction::move, first_way(way->moves), changes};
 }
 
+Instruction Assistant::way_out(const Pose& measured) const {
+    constexpr double step = 0.02, farthest = 1.0;  // [m]
+    constexpr double grown = 1e-9;
+    const std::vector<PlaceGap> here = gaps(car_, place_, measured);
+    Instruction best;
+    double least = -nearest(car_, place_, measured), shortest = farthest;
+    for (const Direction direction : {Direction::backward, Direction::forward}) {
+        for (const double part : {0.0, -1.0, 1.0, -0.5, 0.5, -0.2, 0.2}) {
+            const double steering = part * car_.max_steer();
+            std::vector<PlaceGap> before = here;
+            for (int i = 1; i * step <= farthest; ++i) {
+                const double length = i * step;
+                const Pose there = drive(car_, measured, direction, steering, length);
+                std::vector<PlaceGap> now = gaps(car_, place_, there);
+                double left = 0.0;
+                bool grows = false;
+                for (std::size_t k = 0; k < now.size(); ++k) {
+                    grows = grows || now[k].distance < std::min(0.0, before[k].distance) - grown;
+                    left = std::max(left, -now[k].distance);
+                }
+                if (grows) break;
+                before = std::move(now);
+                if (left > least - grown && !(left == 0.0 && least == 0.0 && length < shortest)) continue;
+                least = left;
+                shortest = length;
+                best = {Instruction::overlap, {{direction, steering, length, measured, there, {}}}, 0};
+                if (left == 0.0) break;
+            }
+        }
+    }
+    return best;
+}
+
 Instruction Assistant::short_way(const Pose& measured, std::optional<Direction> driven, int most_changes) const {
     constexpr double step = 0.02;  // [m]
     // A car that has a way gains little beyond a metre; one beside a wall has to creep off it.
@@ -126,7 +169,7 @@ Instruction Assistant::short_way(const Pose& measured, std::optional<Direction> 
     constexpr double least_gain = 0.01;  // of an arc that only leads away: else two of them could lead to and fro [m]
     constexpr double touch = 1e-9;
     const double room = nearest(car_, place_, measured);
-    if (!(room >= -touch)) return {};
+    if (!(room >= -touch)) return way_out(measured);
     const double kept = std::min(room, map_.clearance()) / 2.0 - touch;
     Instruction best, away;
     double best_cost = std::numeric_limits<double>::infinity();

@@ -334,6 +334,17 @@ RollingAnswer park_rolling(const Car& car, const Place& place, const Pose& start
     RollingAnswer answer;
     const MapBounds bounds = map.at(start);
     answer.lower_bound = bounds.lower_bound;
+    if (bounds.where == MapBounds::outside)
+        throw Error(
+            "the car starts outside the region, or turned farther from the parked heading than the map covers; move "
+            "it");
+    if (bounds.where == MapBounds::blocked)
+        throw Error("the car starts in contact, or less than 0.1 mm from it; move it away");
+    if (bounds.direction_changes == 0 && !bounds.first) {
+        answer.standing_changes = 0;
+        answer.maneuver = RollingManeuver{car, {}};
+        return answer;
+    }
     const std::optional<Maneuver> standing = map.maneuver(start);
     if (!standing) return answer;
     const int fewest = std::min(*bounds.direction_changes, standing->direction_changes());
@@ -343,7 +354,8 @@ RollingAnswer park_rolling(const Car& car, const Place& place, const Pose& start
         const double creep = times * options.creep;
         searches.emplace_back(creep, Search(car, place, map, *standing, creep, options));
     }
-    for (int allowed = fewest; allowed <= fewest + options.most_more; ++allowed) {
+    const int most = std::min(fewest + options.most_more, options.max_changes);
+    for (int allowed = fewest; allowed <= most; ++allowed) {
         for (auto& [creep, search] : searches) {
             answer.maneuver = search.with(allowed, answer.cancelled);
             if (answer.cancelled) return answer;

@@ -25,10 +25,11 @@ struct AssistantOptions {
 /// What to do next.
 struct Instruction {
     enum What {
-        parked,  ///< nothing: the car is parked
-        move,    ///< drive these moves, then ask again
-        escape,  ///< the same, but the car stands nearer to something than the margin: they lead away from it
-        stuck,   ///< no way is known from here
+        parked,   ///< nothing: the car is parked
+        move,     ///< drive these moves, then ask again
+        escape,   ///< the same, but the car stands nearer to something than the margin: they lead away from it
+        overlap,  ///< the pose measured overlaps something: they lead out of it, and no overlap grows on the way
+        stuck,    ///< no way is known from here
     };
     What what = stuck;
     std::vector<Move> moves;    ///< of one direction, the first from the pose measured
@@ -45,6 +46,9 @@ public:
     /// too large for a map.
     Assistant(const Car& car, const Place& place, const AssistantOptions& options = {});
     Assistant(const Car& car, const Street& street, const AssistantOptions& options = {});
+    /// With the map() of an assistant made before, or of another process, for the same car, place and options. Throws Error when it
+    /// is of another car or place, or with another margin.
+    Assistant(const Car& car, const Place& place, ParkMap map, const AssistantOptions& options = {});
 
     /// From a measured pose: how to drive until the direction changes, on the way with the fewest changes the map knows. `driven` is
     /// the direction of the last move, for turning costs a change. It goes through nothing, grown by the margin.
@@ -52,8 +56,9 @@ public:
     /// Where a short arc of one direction leads to a pose from where fewer changes are left in all, it is driven first; so too where
     /// the map knows no way, as when the car stands closer to something than the margin (but does not overlap it): an arc on which
     /// at least half of the distance is left that the car has (a corner swings out before the car is away), or failing that one that
-    /// ends by 1 cm or more farther away. A pose that is no
-    /// number, outside of the map, or overlaps something has no way: stuck.
+    /// ends by 1 cm or more farther away. Where the pose measured
+    /// overlaps something the way out is the arc of up to 1 m on which no overlap grows and nothing else is met, and at whose end
+    /// the least is left; the shortest, where nothing is. A pose that is no number or outside of the map has no way: stuck.
     [[nodiscard]] Instruction next(const Pose& measured, std::optional<Direction> driven = {}) const;
     /// All of the way, as next() would give it move by move; empty when the car is parked or stuck.
     [[nodiscard]] std::optional<Maneuver> plan(const Pose& measured) const;
@@ -64,6 +69,7 @@ public:
     [[nodiscard]] const ParkMap& map() const { return map_; }
 
 private:
+    [[nodiscard]] Instruction way_out(const Pose& measured) const;
     [[nodiscard]] Instruction short_way(const Pose& measured, std::optional<Direction> driven, int most_changes) const;
 
     Car car_;

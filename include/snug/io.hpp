@@ -13,6 +13,7 @@
 #include "snug/min_slot.hpp"
 #include "snug/min_street.hpp"
 #include "snug/park.hpp"
+#include "snug/rolling.hpp"
 #include "snug/scene.hpp"
 #include "snug/trajectory.hpp"
 #include "snug/waypoints.hpp"
@@ -73,6 +74,11 @@ Json park_as_json(const Car& car, const Street& street, const Pose& start, const
 Json park_as_json(const Car& car, const Scene& scene, const ParkOptions& options, const ParkAnswer& answer);
 /// The same as CSV: a row for every move.
 std::string park_as_csv(const Place& place, const ParkAnswer& answer);
+/// With --steer moving: `steer`, `standing_changes`, `creep`, and the moves with the steering angle at both ends.
+Json park_as_json(const Car& car, const Street& street, const Pose& start, const ParkOptions& options,
+                  const RollingAnswer& answer);
+Json park_as_json(const Car& car, const Scene& scene, const ParkOptions& options, const RollingAnswer& answer);
+std::string park_as_csv(const RollingAnswer& answer);
 /// The answer of `snug drive --format json`, in a street or in a scene.
 Json drive_as_json(const Car& car, const Street& street, const Pose& start, const DriveOptions& options,
                    const DriveAnswer& answer);

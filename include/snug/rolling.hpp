@@ -59,6 +59,7 @@ struct RollingOptions {
     double creep = 0.03;
     double steering_rate = 0.5;  ///< of the steering angle, at the road wheels [rad/s]
     int most_more = 6;           ///< direction changes that it may take more than with steering at standstill
+    int max_changes = 200;       ///< and in all
     double spacing = 0.0;        ///< of the map that is planned on [m]; 0: its usual one
     /// Told from time to time; returning false gives up.
     std::function<bool()> progress = {};
@@ -75,7 +76,8 @@ struct RollingAnswer {
 
 /// From the start into the place, with as few direction changes as it finds: as many as with steering at standstill where the
 /// room allows it, else more. What it finds keeps 0.1 mm from everything, beside the clearance: so much takes the proof
-/// that nothing is touched between the poses that are looked at. Throws Error as ParkMap does.
+/// that nothing is touched between the poses that are looked at. Throws Error as ParkMap does, and where the start lies outside
+/// of the map or nearer to something than that.
 RollingAnswer park_rolling(const Car& car, const Place& place, const Pose& start, const RollingOptions& options = {});
 
 }  // namespace snug

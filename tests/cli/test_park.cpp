@@ -53,6 +53,32 @@ void expect_connected(const Json& json) {
     EXPECT_NEAR(maneuver["length"].get<double>(), length, 1e-9);
 }
 
+TEST(ParkCommand, SteersOnlyWhileItRolls) {
+    const Folder folder;
+    const std::string file = folder.file("way.json");
+    const Result result = run(bay + "--steer moving --format json --trajectory " + file);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["steer"], "moving");
+    EXPECT_GE(json["direction_changes"], json["lower_bound"]);
+    expect_connected(json);
+    double angle = 0.0;
+    for (const Json& move : json["maneuver"]["moves"]) {
+        EXPECT_NEAR(move["steering_angle"].get<double>(), angle, 1e-9);
+        angle = move["steering_angle_end"].get<double>();
+        EXPECT_LE(std::abs(angle), json["car"]["max_steer"].get<double>() + 1e-9);
+    }
+    std::ifstream stream(file);
+    const Json timed = Json::parse(stream);
+    EXPECT_EQ(timed["standing_steers"], 0);
+    EXPECT_EQ(timed["seconds"], json["maneuver"]["seconds"]);
+    for (const Json& point : timed["trajectory"]) {
+        EXPECT_LE(std::abs(point["steering_rate"].get<double>()), 0.5 + 1e-9);
+        if (point["speed"] == 0.0) EXPECT_EQ(point["steering_rate"], 0.0);
+    }
+    EXPECT_NE(run(bay + "--steer moving").out.find("steers only while it rolls"), std::string::npos);
+}
+
 TEST(ParkCommand, AnswersWithManeuverAndProof) {
     const Result result = run(street + "--format json");
     EXPECT_EQ(result.exit_code, 0);

@@ -71,7 +71,7 @@ double deepest(const Car& car, const Place& place, const Pose& start, const std:
 }
 
 TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
-    int driven = 0, parked = 0, escaped = 0, stuck = 0;
+    int driven = 0, parked = 0, escaped = 0, overlapped = 0, stuck = 0;
     for (int i = 0; i < std::max(4, snug::test::sample(6, 60)); ++i) {
         SCOPED_TRACE(i);
         const Case one = random_case(static_cast<std::uint64_t>(i));
@@ -108,6 +108,14 @@ TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
                     continue;
                 case Instruction::escape: ++escaped; break;
                 case Instruction::move: ++driven; break;
+                case Instruction::overlap: {
+                    ++overlapped;
+                    const double deep = depth_in_place(one.car, one.place, pose);
+                    EXPECT_GT(deep, 0.0) << what;
+                    EXPECT_LE(deepest(one.car, one.place, pose, told.moves), deep + 1e-6) << what;
+                    EXPECT_LT(depth_in_place(one.car, one.place, told.moves.back().end), deep) << what;
+                    continue;
+                }
             }
             ASSERT_FALSE(told.moves.empty()) << what;
             EXPECT_EQ(told.moves.front().start, pose) << what;
@@ -119,6 +127,7 @@ TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
         }
     }
     EXPECT_GT(driven, 0);
+    EXPECT_GT(overlapped, 0);
     EXPECT_GT(stuck, 0);
     EXPECT_GE(parked + escaped, 0);
 }
@@ -132,6 +141,38 @@ TEST(Assistant, HasNoAnswerToPosesThatAreNoNumbers) {
         EXPECT_EQ(assistant.next({0.0, bad, 0.0}).what, Instruction::stuck);
         EXPECT_EQ(assistant.next({0.0, 0.0, bad}).what, Instruction::stuck);
     }
+}
+
+TEST(Assistant, LeadsOutOfWhatItOverlapsByMeasurement) {
+    const Assistant assistant(zoe(), usual_street());
+    const Pose deep = {2.0, 1.771 / 2.0 - 0.02, 0.0};  // 2 cm in the front neighbour
+    const Instruction told = assistant.next(deep);
+    ASSERT_EQ(told.what, Instruction::overlap);
+    EXPECT_LE(depth_in_place(zoe(), street_place(usual_street()), told.moves.back().end), 0.0);
+}
+
+TEST(Assistant, RefusesTheMapOfAnotherCarPlaceOrMargin) {
+    const Place place = street_place(usual_street());
+    AssistantOptions options;
+    options.heading = 0.0;
+    const Assistant made(zoe(), place, options);
+    const Assistant same(zoe(), place, made.map(), options);
+    EXPECT_EQ(same.next(usual_start), made.next(usual_start));
+    const auto refused = [&](const Car& car, const Place& in, const AssistantOptions& with) {
+        try {
+            const Assistant other(car, in, made.map(), with);
+        } catch (const snug::Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("taken");
+    };
+    Street wider = usual_street();
+    wider.width = 2.1;
+    AssistantOptions more = options;
+    more.margin = 0.06;
+    EXPECT_NE(refused(*snug::find_car("opel-corsa"), place, options).find("of another car"), std::string::npos);
+    EXPECT_NE(refused(zoe(), street_place(wider), options).find("of another place"), std::string::npos);
+    EXPECT_NE(refused(zoe(), place, more).find("the map is "), std::string::npos);
 }
 
 TEST(Assistant, LeadsAwayFromWhatIsNearerThanTheMargin) {
