@@ -278,8 +278,8 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         if (s.track && s.track.legs.length > 0) {
             const poses = s.track.legs.map((leg) => samples(s.car, leg, drag ? 0.12 : 0.03));
             if (s.swept) parts.push(svg("path", { class: "swept", d: poses.flat().map((pose) => polygon(carCorners(s.car, pose))).join("") }));
-            const ends = s.track.legs.slice(0, -1).map((leg) => polygon(carCorners(s.car, leg.end)));
-            parts.push(svg("path", { class: "ghosts", d: ends.join("") }));
+            const turns = s.track.legs.filter((leg, i) => s.track!.legs[i + 1] && s.track!.legs[i + 1]!.backward !== leg.backward);
+            parts.push(svg("path", { class: "ghosts", d: turns.map((leg) => polygon(carCorners(s.car, leg.end))).join("") }));
             if (s.tracks)
                 for (const corner of [0, 1, 2, 3])
                     parts.push(svg("path", { class: "corner-track", d: poses.map((leg) => path(leg.map((pose) => corners(s.car, pose)[corner]!))).join("") }));
@@ -288,7 +288,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
                 const d = poses.filter((_, i) => s.track!.legs[i]!.backward === backward).map(path).join("");
                 if (d) lines.push(svg("path", { class: backward ? "path backward" : "path forward", d }));
             }
-            for (const leg of s.track.legs.slice(0, -1)) {
+            for (const leg of turns) {
                 const [x, y] = at(leg.end);
                 lines.push(svg("circle", { class: "cusp", cx: round(x), cy: round(y), r: 2.6 }));
             }

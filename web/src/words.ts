@@ -44,7 +44,7 @@ export function sayAnswer(snug: Snug, inputs: Inputs, answers: Answers, shown: M
 const metres = (value: number) => `${value.toFixed(2)} m`;
 
 /** In the street: the exact answer where there is one, else what the map says. `map`: null while there is none of this place. */
-export function sayPark(inputs: Inputs, { bounds, exact, soFar, pose, trouble }: Parking, map: { spacing: number; milliseconds: number } | null) {
+export function sayPark(inputs: Inputs, { bounds, exact, soFar, pose, trouble }: Parking, map: { spacing: number } | null) {
     for (const id of ["fit-slot", "try-all", "best"]) set(byId(id), { hidden: "" });
     const out = goalOf(inputs) === "road";
     const [fits, fitsNot] = out ? ["It gets out", "It does not get out"] : ["It parks", "It does not park"];
@@ -58,7 +58,7 @@ export function sayPark(inputs: Inputs, { bounds, exact, soFar, pose, trouble }:
     if (!map) setText(byId("map-says"), "…");
     else if (!bounds || bounds.where === "outside") setText(byId("map-says"), "–");
     else setText(byId("map-says"), bounds.where === "blocked" ? "blocked" : bounds.impossible ? "impossible" : range(bounds.lower_bound, bounds.direction_changes));
-    setText(byId("map-note"), map ? `Every pose at once, on a lattice of ${plain(100 * map.spacing, 1)} cm: ${Math.round(map.milliseconds)} ms.` : "The street is swept …");
+    setText(byId("map-note"), map ? `From every pose at once, on a lattice of ${plain(100 * map.spacing, 1)} cm.` : "The street is swept …");
 
     if (exact) {
         const { direction_changes: found, lower_bound, proved, impossible, maneuver, spacing } = exact;
