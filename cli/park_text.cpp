@@ -89,7 +89,6 @@ std::string where_it_stands(const ParkQuestion& question) {
 
 std::string moves(const ParkQuestion& question, const ParkAnswer& answer) {
     const Maneuver& maneuver = *answer.maneuver;
-    if (maneuver.moves.empty()) return "\nNothing is left to do.\n";
     const double clearance = question.options.clearance;
     Rows rows = {{"", "drive", "steering", "distance", "until"}};
     int number = 0;
@@ -118,6 +117,10 @@ std::string moves(const ParkQuestion& question, const ParkAnswer& answer) {
 std::string result(const ParkQuestion& question, const ParkAnswer& answer) {
     const bool stays = answer.maneuver->moves.empty();
     const Pose goal = stays ? question.scene.start : answer.maneuver->goal();
+    if (stays)
+        return "\nIt stands " + fixed(std::abs(off(goal.heading - parked_heading(question.scene.place))), 3) +
+               (question.leaving ? " deg off the street's heading" : " deg off the parked heading") +
+               ": nothing is left to do.\n";
     Rows rows = {{"driven", driven(*answer.maneuver)}};
     for (std::vector<std::string>& row : distances(question, goal)) rows.push_back(std::move(row));
     rows.push_back({"angle", fixed(std::abs(off(goal.heading - parked_heading(question.scene.place))), 3) +
@@ -243,6 +246,9 @@ std::string park_text(const ParkQuestion& question, const RollingAnswer& answer)
 
 std::string park_text(const ParkQuestion& question, const ParkAnswer& answer) {
     if (!answer.maneuver) return refusal(question, answer);
+    if (answer.maneuver->moves.empty())
+        return name(question.car) + (question.leaving ? " is out of " : " is parked already ") + into_what(question) +
+               ".\n" + where_it_stands(question) + result(question, answer);
     return name(question.car) + (question.leaving ? " leaves " : " parks ") + into_what(question) + "\nwith " +
            changes(*answer.direction_changes) + ".\n" + where_it_stands(question) + moves(question, answer) +
            result(question, answer) + alternatives(question, answer) + proof(answer);

@@ -31,7 +31,8 @@ struct FewestOptions {
     /// are tried first, and the search ends where the bounds meet.
     double resolution = 0.0;
     double time_limit = std::numeric_limits<double>::infinity();  ///< ends with the bounds found so far [s]
-    bool roomiest = true;  ///< look for the roomiest maneuver; otherwise any with that many changes will do
+    bool roomiest =
+        true;  ///< look for a maneuver that ends well, the roomiest; otherwise any with that many changes will do
     /// Told from time to time; returning false ends with the bounds found so far.
     std::function<bool(const FewestProgress&)> progress = {};
 };
@@ -41,8 +42,10 @@ struct FewestOptions {
 /// forward, and once the nose's corner on the curb side has crossed the entry side it stays in; otherwise stopping and
 /// reversing in would answer the question. docs/fewest.md has the proof.
 ///
-/// The maneuver has few arcs and straight lines with exact contacts; of all with that many changes it is the roomiest found, the
-/// one that keeps the greatest distance from the neighbours and the curb. It begins with the corner of the frame at the slot's corner wherever such a one is found, else above it.
+/// The maneuver has few arcs and straight lines with exact contacts. Of all with that many changes it is one that ends well, if the
+/// lattices find one: parallel, then near the curb, then in the middle between the neighbours; and of those the roomiest, which
+/// keeps the greatest distance from the neighbours and the curb. It begins with the corner of the frame at the slot's corner
+/// wherever such a one is found, else above it.
 /// Throws Error when an option is impossible, or when the resolution would take more than 2 GB of memory.
 Answer fewest(const Car& car, const Slot& slot, const FewestOptions& options = {});
 

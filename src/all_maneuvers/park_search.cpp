@@ -367,6 +367,10 @@ bool worth_a_change(const ParkQuestion& question, const std::vector<Path>& one, 
 }  // namespace
 
 void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& watch) {
+    if (is_parked(question.place, question.place.start)) {
+        bounds.upper = 0;  // there is nothing to do
+        return;
+    }
     const double h0 = question.coarsest;
     const OuterLattice lattice(question.place, h0, h0, nullptr, watch);
     // Where it takes many changes, they are counted on finer lattices at once: that is cheap, as nothing needs to be kept.

@@ -296,5 +296,17 @@ TEST(ParkCommand, BadScenesAreRefused) {
     expect_refusal(run(park + "--enter forward --scene " + good), {"--enter", "--scene"});
 }
 
+TEST(Park, ACarThatStandsParkedIsToldSo) {
+    const std::string parked = "park --car renault-zoe --length 5.2 --width 2 --road 3.5 --from -4,-1,0.01 ";
+    const Result text = run(parked);
+    EXPECT_EQ(text.exit_code, 0) << text.err;
+    EXPECT_NE(text.out.find("is parked already"), text.out.npos) << text.out;
+    const Json answer = Json::parse(run(parked + "--format json").out);
+    EXPECT_EQ(answer["direction_changes"], 0);
+    EXPECT_TRUE(answer["maneuver"]["moves"].empty());
+    EXPECT_EQ(answer["maneuver"]["goal"], answer["start"]);
+    EXPECT_EQ(run(parked + "--format csv").exit_code, 0);
+}
+
 }  // namespace
 }  // namespace snug::test

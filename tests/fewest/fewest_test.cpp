@@ -244,6 +244,26 @@ TEST(Fewest, AMoveAlongAWallStillHasFewPieces) {
     }
 }
 
+/// Ending well must cost no change; where there is room for it the car ends parallel and away from both neighbours.
+TEST(Fewest, EndsWellWhereThatCostsNoChange) {
+    struct Slots {
+        double length, width;
+        int changes;
+        double least_gap;
+    };
+    for (const Slots& known : {Slots{5.2, 1.9, 2, 0.2}, Slots{6.0, 2.2, 0, 0.1}, Slots{4.8, 2.0, 3, 0.0}}) {
+        const Case asked = catalogue_case("renault-zoe", known.length, known.width);
+        SCOPED_TRACE(oracle::command_line(asked));
+        const Answer answer = answer_to(asked, 20, 5e-4 * asked.car_length());
+        ASSERT_TRUE(answer.maneuver);
+        EXPECT_EQ(answer.direction_changes, known.changes);
+        EXPECT_EQ(faults_of(asked, answer), std::vector<std::string>{});
+        EXPECT_LE(std::abs(answer.maneuver->goal().heading), 0.003);
+        const snug::Gaps left = gaps(Car(asked.car), Slot(asked.slot), answer.maneuver->goal());
+        EXPECT_GE(std::min(left.front, left.rear), known.least_gap);
+    }
+}
+
 TEST(Fewest, ImpossibleOptionsAreRefused) {
     const Case asked = catalogue_case("renault-zoe", 4.5, 2.0);
     EXPECT_THROW(answer_to(asked, -1), snug::Error);

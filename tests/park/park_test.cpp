@@ -74,4 +74,34 @@ TEST(Park, PolishedManeuversAndAlternativesParkWithoutTouchingAnything) {
     EXPECT_GE(found, count / 3);
 }
 
+/// A car that stands parked has nothing to do, wherever and however aslant it stands.
+TEST(Park, ACarThatStandsParkedStays) {
+    const int count = snug::test::sample(20, 1000);
+    int parked = 0;
+    for (int i = 0; i < count; ++i) {
+        const Case asked = random_case(static_cast<std::uint64_t>(620000 + i));
+        Random random(static_cast<std::uint64_t>(630000 + i));
+        const auto& inside = std::get<snug::ParkedInside>(asked.place.parked());
+        Pose pose = {0.0, 0.0, inside.heading + random.between(-0.05, 0.05)};
+        const double back = (asked.car.front() - asked.car.rear()) / 2;
+        for (const Point& corner : inside.corners) {
+            pose.x += corner.x / 4;
+            pose.y += corner.y / 4;
+        }
+        pose.x += random.between(-0.1, 0.1) - back * std::cos(pose.heading);
+        pose.y += random.between(-0.1, 0.1) - back * std::sin(pose.heading);
+        if (depth_in_place(asked.car, asked.place, pose) > -1e-6 || outside_region(asked.place, pose) > 0 ||
+            short_of_parked(asked.car, asked.place, pose) > -1e-6)
+            continue;
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
+        ++parked;
+        const snug::ParkAnswer answer = park(asked.car, asked.place, pose);
+        EXPECT_EQ(answer.direction_changes, 0);
+        EXPECT_TRUE(answer.proved);
+        ASSERT_TRUE(answer.maneuver);
+        EXPECT_TRUE(answer.maneuver->moves.empty());
+    }
+    EXPECT_GT(parked, count / 10);
+}
+
 }  // namespace
