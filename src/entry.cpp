@@ -67,7 +67,7 @@ struct Search {
           options(with),
           steering(entering_problem(car, slot, options.driving, options.parked)),
           problem(proof_problem(car, slot, options.driving, options.parked)),
-          runs{steering, steepest_at_rest(problem)},
+          runs{steering},
           limit(options.max_changes.value_or(limits::usual_changes)),
           width(std::max(options.min_range, resolvable_range)) {}
 
@@ -110,6 +110,7 @@ struct Search {
         const bool smaller = !all && !proved.ranges.empty() && (guess < 0 || proved.ranges.front().changes < guess);
         const std::vector<CountedHeadings> before = found;
         if (smaller) found.clear();
+        answer.undecided.clear();  // what rounding had made is the proof's to judge
         settle(runs, found, proved, answer.undecided);
         if (smaller && !fewest()) found = before;  // no run shows it
         answer.undecided = joined(answer.undecided);

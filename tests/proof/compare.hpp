@@ -29,8 +29,7 @@ public:
           proved_(proved),
           limit_(limit),
           fast_(make_problem<double>(asked)),
-          fine_(make_problem<long double>(asked)),
-          steepest_(steepest()) {}
+          fine_(make_problem<long double>(asked)) {}
 
     /// At `samples` headings, and between them wherever the itinerary changes.
     void sample(int samples, double offset) {
@@ -85,34 +84,15 @@ private:
         std::uint64_t itinerary = 0;
     };
 
-    /// The steepest heading at which the frame fits: a car at rest below it has turned away.
-    double steepest() const {
-        constexpr double quarter = std::numbers::pi / 2;
-        const double sign = asked_.driving.enter == snug::Enter::backward ? 1.0 : -1.0;
-        const auto fits = [&](double h) {
-            const Standing<double> car({0, 0, -sign * h});
-            double low = 1e9, high = -1e9;
-            for (const Vec<double>& own : fast_.car.corners) high = std::max(high, car.at(own).y);
-            for (const Vec<double>& own : fast_.at_curb.corners) low = std::min(low, car.at(own).y);
-            return high - low <= fast_.width;
-        };
-        const double most = std::min(fast_.parked_heading, quarter);
-        for (int i = 0; i <= 20000; ++i) {
-            const double h = most * (1 - i / 20000.0);
-            if (fits(h)) return h == quarter ? 1e9 : h + most / 20000.0;
-        }
-        return 0.0;
-    }
-
+    /// A car that comes to be parked more than a quarter turn off parallel has turned away.
     template <class Real>
     int count(const Run<Real>& run) {
         if (!run.parked()) return -1;
         const double sign = asked_.driving.enter == snug::Enter::backward ? 1.0 : -1.0;
-        for (std::size_t i = 0; i + 1 < run.legs.size(); ++i) {
-            if (sign * double(run.legs[i].path.at(run.legs[i].length).heading) < -steepest_) {
-                ++turned_away;
-                return -1;
-            }
+        const Leg<Real>& last = run.legs.back();
+        if (sign * double(last.path.at(last.length).heading) < -std::numbers::pi / 2) {
+            ++turned_away;
+            return -1;
         }
         return run.changes;
     }
@@ -157,7 +137,7 @@ private:
         strict.forgiven = 1e-17L;
         const bool brink = count(run(forgiving, (long double)(heading), limit_)) == reported(heading) ||
                            count(run(strict, (long double)(heading), limit_)) == reported(heading);
-        if (brink || tangent(strict, heading) || dips_unseen(heading) || nearly_turned_away(heading) ||
+        if (brink || tangent(strict, heading) || dips_unseen(heading) ||
             !decide(fine_, heading, limit_, 1e-13L).certain) {
             ++undecided;
             return sample;
@@ -206,15 +186,6 @@ private:
         return missing(low) <= 0;
     }
 
-    /// A car that comes to rest about as steep as it fits: the steepest heading is known to some 1e-4 only.
-    bool nearly_turned_away(double heading) {
-        const Run<long double> fine = run(fine_, (long double)(heading), limit_);
-        const double sign = asked_.driving.enter == snug::Enter::backward ? 1.0 : -1.0;
-        for (const Leg<long double>& leg : fine.legs)
-            if (std::abs(sign * double(leg.path.at(leg.length).heading) + steepest_) < 3e-4) return true;
-        return false;
-    }
-
     void refine(const Sample& low, const Sample& high, int level) {
         if (high.heading - low.heading < 1e-13 || level > 40 || refined_ > 1500) return;
         ++refined_;
@@ -228,7 +199,6 @@ private:
     int limit_;
     Problem<double> fast_;
     Problem<long double> fine_;
-    double steepest_;
     Run<double> run_;
     long refined_ = 0;
 };

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "full_steering/proof/enclosure.hpp"
 
@@ -48,11 +47,10 @@ struct State {
 /// A stretch of headings, and what is known of it when its first moves are driven.
 struct Box {
     double min = 0.0, max = 0.0;
-    double middle = 0.0, half = 0.0;                  ///< its headings are middle + t * half with t in [-1, 1]
-    bool doubtful = false;                            ///< it may be no entry position
-    int away_from = std::numeric_limits<int>::max();  ///< the move after which it may have turned away
-    int driven = 0;                                   ///< so many moves
-    State state;                                      ///< after them
+    double middle = 0.0, half = 0.0;  ///< its headings are middle + t * half with t in [-1, 1]
+    bool doubtful = false;            ///< it may be no entry position
+    int driven = 0;                   ///< so many moves
+    State state;                      ///< after them
 
     Box(double least, double most)
         : min(least),

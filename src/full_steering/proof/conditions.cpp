@@ -174,19 +174,14 @@ private:
         if (problem_.parked_curb < infinity) add_stages(made.stages, frame, {down});
         if (problem_.front_setback > 0.0) add_stages(made.stages, frame, {right});
         if (problem_.rear_setback > 0.0) add_stages(made.stages, frame, {left});
-        const bool tilted = problem_.parked_heading < infinity;
-        made.tilted = tilted;
-        const double most = std::min(problem_.parked_heading, pi);
-        if (tilted) {
-            const auto [s, c] = angles::sine_cosine(most);
-            add(made.stages, c, s);
-            add(made.stages, c, -s);
-        }
+        const auto [s, c] = angles::sine_cosine(problem_.parked_heading);
+        add(made.stages, c, s);
+        add(made.stages, c, -s);
         finish(made.stages);
         for (std::size_t k = 0; k < made.stages.size(); ++k) {
             Stage& stage = made.stages[k];
             const double heading = middle(made.stages, k);
-            stage.possible = !tilted || std::abs(heading) <= problem_.parked_heading;
+            stage.possible = std::abs(heading) <= problem_.parked_heading;
             const Extremes at(frame, heading);
             stage.first = made.conditions.size();
             made.conditions.push_back(corner(Condition::below, frame, at.highest, 0.0));

@@ -61,7 +61,6 @@ struct Obstacle {
     std::vector<Stage> stages;  ///< falling; after the last comes the first, a turn later
     std::vector<Condition> conditions;
     bool one_condition = false;
-    bool tilted = false;  ///< parked up to some heading only: a car that has gone round is not
 
     [[nodiscard]] std::size_t next(std::size_t stage) const { return stage + 1 == stages.size() ? 0 : stage + 1; }
 };

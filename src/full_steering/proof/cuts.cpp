@@ -28,7 +28,7 @@ void add_part(const Box& whole, double min, double max, int failed, const Driver
     Box& part = boxes.emplace_back(min, max);
     if (whole.doubtful) return;
     const double ratio = part.half / whole.half;
-    for (int n = std::min(failed, whole.away_from); n > 0 && n >= whole.driven; --n) {
+    for (int n = failed; n > 0 && n >= whole.driven; --n) {
         const State& state = driver.before(n);
         if (!straight(state, ratio, radius)) continue;
         part.driven = n;
@@ -82,7 +82,7 @@ bool hopeless(const Box& box, const Form& quantity) {
     if (box.max - box.min <= narrowest) return true;
     const double noise = quantity.noise();
     return (box.max - box.min < 4e-12 && std::abs(quantity.along) < 2.0 * noise) ||
-           (std::abs(quantity.along) < 0.1 * noise && std::abs(quantity.mid) < noise && noise < 1e-12);
+           (box.max - box.min < 1e-10 && std::abs(quantity.along) < 0.1 * noise && std::abs(quantity.mid) < noise);
 }
 
 }  // namespace snug::detail::proof

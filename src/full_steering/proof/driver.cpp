@@ -10,20 +10,29 @@ Outcome Driver::look(Box& box, int limit) {
     trail_[static_cast<std::size_t>(box.driven)] = box.driven == 0 ? mover_.enter(box) : box.state;
     const Outcome outcome = follow(box.driven);
     box.doubtful = mover_.doubtful();
-    box.away_from = mover_.away_from();
     return outcome;
 }
+
+namespace {
+
+Outcome nothing_in(int move) {
+    Outcome outcome;
+    outcome.move = move;
+    return outcome;
+}
+
+}  // namespace
 
 Outcome Driver::follow(int n) {
     for (; n <= limit_; ++n) {
         const std::size_t at = static_cast<std::size_t>(n);
         Outcome outcome;
         outcome.move = n;
-        switch (mover_.move(trail_[at], trail_[at + 1], outcome)) {
-            case After::moved: break;
-            case After::ended: return outcome;
-            case After::grazed: return both_ways(outcome);
-        }
+        if (n > 0 && n % 4 == 0 && mover_.jams(trail_[at])) return outcome;
+        const After after = mover_.move(trail_[at], trail_[at + 1], outcome);
+        if (after == After::moved) continue;
+        if (outcome.what == Outcome::undecided && n > 0 && mover_.jams(trail_[at])) return nothing_in(n);
+        return after == After::grazed ? both_ways(outcome) : outcome;
     }
     return {Outcome::none, limit_, true, {}};
 }

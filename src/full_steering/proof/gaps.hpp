@@ -14,15 +14,18 @@
 
 namespace snug::detail::proof {
 
-/// The condition as a crossing, for the car in the middle of the box; it holds where gap() is positive. What a root needs
+/// The condition as a crossing, for a car with this turning centre, or the one in the middle of the box; it holds where gap() is positive. What a root needs
 /// besides comes with heading_of().
-inline Crossing<double> crossing_of(const Condition& of, const State& state) {
+inline Crossing<double> crossing_of(const Condition& of, double centre_x, double centre_y) {
     if (of.kind == Condition::inside) {
-        const double x = state.x.mid - of.kx;
-        const double y = state.y.mid - of.ky;
+        const double x = centre_x - of.kx;
+        const double y = centre_y - of.ky;
         return {x * of.x + y * of.y, y * of.x - x * of.y, -of.level, 0.0, 0.0};
     }
-    return {of.a, of.b, -(of.px * state.x.mid + of.py * state.y.mid + of.k), 0.0, 0.0};
+    return {of.a, of.b, -(of.px * centre_x + of.py * centre_y + of.k), 0.0, 0.0};
+}
+inline Crossing<double> crossing_of(const Condition& of, const State& state) {
+    return crossing_of(of, state.x.mid, state.y.mid);
 }
 
 /// What a condition is for all cars of a box, in few plain numbers: that of the car in the middle, and how far from it the

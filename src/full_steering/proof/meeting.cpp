@@ -106,7 +106,7 @@ private:
 
     [[nodiscard]] bool possible(const Stage& stage, double turns) const {
         return stage.possible && !(passes_ && &stage == &obstacle_.stages[passes_->stage]) &&
-               (met_ != goal || turns == 0.0 || !obstacle_.tilted);
+               (met_ != goal || turns == 0.0);
     }
 
     /// Where the next stage begins.

@@ -71,7 +71,9 @@ Mover::Mover(const ProofProblem& problem, int max_changes)
     : problem_(problem),
       backward_(steering_about(problem, problem.radius)),
       forward_(steering_about(problem, -problem.radius)),
-      steepest_(steepest_at_rest(problem)),
+      steepest_(steepest_parked(problem)),
+      sinking_(problem, steepest_),
+      jam_(problem),
       likely_(static_cast<std::size_t>(max_changes) + 1, curb),
       space_(std::max({problem.body.size(), problem.at_curb.size(), problem.frame.size()}) + 4) {}
 
@@ -104,6 +106,7 @@ State Mover::enter(const Box& box) const {
 }
 
 After Mover::move(const State& state, State& then, Outcome& outcome, const Failure* graze, bool meets_curb) {
+    if (sinking_.too_high(state)) return After::ended;
     ++moves_;
     const Steering& steering = state.backward ? backward_ : forward_;
     // What the box before met in this move is asked first.
@@ -180,10 +183,6 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
         const Form before = difference(parked.at, until);
         if (before.positive()) {
             outcome.what = doubtful_ ? Outcome::undecided : Outcome::parks;
-            if (away_from_ < outcome.move) {
-                outcome.what = Outcome::undecided;
-                outcome.failure = at_root_of(short_of_away_);
-            }
             return After::ended;
         }
         if (!before.negative()) {
@@ -193,12 +192,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
         }
     }
     if (!contact) return After::ended;  // circles freely
-    const Form short_of_away = (until.off + (until.angle + steepest_)).with_rest(angle_error);
-    if (short_of_away.negative()) return After::ended;
-    if (!short_of_away.positive() && steepest_ < infinity && away_from_ > outcome.move) {
-        away_from_ = outcome.move;
-        short_of_away_ = short_of_away;
-    }
+    if (until.angle + until.off.mid + until.off.span() + angle_error < -steepest_) return After::ended;
     then.x = state.x;
     then.y = state.y;
     then.backward = state.backward;

@@ -117,7 +117,7 @@ private:
     /// For when more moves are allowed.
     void keep(const Box& box) {
         Box& kept = later_.emplace_back(box);
-        if (kept.doubtful || kept.away_from < std::numeric_limits<int>::max()) {
+        if (kept.doubtful) {
             kept.driven = 0;
         } else if (!driver_.forked()) {
             kept.driven = limit_ + 1;
@@ -174,7 +174,7 @@ private:
 
 }  // namespace
 
-double steepest_at_rest(const ProofProblem& problem) {
+double steepest_parked(const ProofProblem& problem) {
     const auto height = [&](double heading) {
         const auto [s, c] = angles::sine_cosine(heading);
         double low = infinity, high = -infinity;
@@ -184,8 +184,7 @@ double steepest_at_rest(const ProofProblem& problem) {
     };
     const double size = size_of(problem.frame) + size_of(problem.at_curb);
     const double slack = 1e-12 * size;
-    double steepest = std::min(problem.parked_heading, quarter_turn);
-    if (height(-steepest) <= problem.width + slack) return steepest < quarter_turn ? steepest : infinity;
+    double steepest = problem.parked_heading;
     // The height changes by less than the sizes per radian: steps that cannot miss a fit.
     const double speed = 2.0 * size;
     while (steepest > 0.0) {
@@ -218,7 +217,7 @@ ProofProblem proof_problem(const Car& car, const Slot& slot, const Driving& driv
     made.width = dimensions.width;
     made.front_setback = nose_first ? dimensions.rear_setback : dimensions.front_setback;
     made.rear_setback = nose_first ? dimensions.front_setback : dimensions.rear_setback;
-    made.parked_heading = parked.heading;
+    made.parked_heading = std::min(parked.heading, quarter_turn);
     made.parked_curb = parked.curb;
     // Of the corners ahead of the rear axle the one farthest from the first move's centre.
     double farthest = 0.0;

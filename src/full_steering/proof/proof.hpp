@@ -27,7 +27,7 @@ struct ProofProblem {
     double width = 0.0;            ///< of the slot [m]
     double front_setback = 0.0;    ///< [m]
     double rear_setback = 0.0;     ///< [m]
-    double parked_heading = std::numeric_limits<double>::infinity();  ///< largest angle off parallel when parked [rad]
+    double parked_heading = 0.0;   ///< largest angle off parallel when parked, at most a quarter turn [rad]
     double parked_curb = std::numeric_limits<double>::infinity();  ///< largest distance from the curb when parked [m]
 };
 
@@ -57,10 +57,9 @@ struct ProofHints {
 ProvedRanges prove_ranges(const ProofProblem& problem, int max_changes, Find find, const ProofHints& hints = {},
                           const Progress& progress = {}, std::size_t most_moves = 20'000'000);
 
-/// How far round a car may turn and still park: the steepest heading below parallel at which the frame fits between entry
-/// side and curb, infinite where that is a quarter turn. Headings only fall, so a car that comes to rest steeper than this
-/// has turned away: it could fit again only half a turn later, the other way round, and that is not parked. [rad]
-double steepest_at_rest(const ProofProblem& problem);
+/// How far below parallel a car can be parked, at most: the frame fits between entry side and curb, or parked_heading.
+/// Headings only fall, so a car that comes to rest steeper than this parks no more. [rad]
+double steepest_parked(const ProofProblem& problem);
 
 /// In the entering frame (contact/entering.hpp).
 ProofProblem proof_problem(const Car& car, const Slot& slot, const Driving& driving, const Parked& parked);

@@ -6,12 +6,18 @@
 namespace snug::detail {
 
 int SingleRuns::changes_from(double heading, int most) const {
+    constexpr QuarterHeading straight_down = {1.0, 0.0, 1};
     FullSteeringRun run(steering, heading);
     for (int changes = 0; changes <= most; ++changes) {
+        const QuarterHeading start = run.heading();
+        const Turn turn = {run.backward() ? &steering.backward : &steering.forward, &steering.problem, run.x(),
+                           run.y()};
         const FullMove move = run.drive<false>();
+        const bool goes_round = move.meets == Meets::nothing || run.heading().quarter > 1;
         if (move.stuck) return -1;
-        if (move.depth <= 0.0) return changes;
-        if (move.meets == Meets::nothing || run.heading().angle() < -steepest) return -1;
+        // Beyond a quarter turn off parallel it is not parked, wherever its frame is.
+        if (move.depth <= 0.0 && (!goes_round || first_parked(turn, start, straight_down, 0.0))) return changes;
+        if (goes_round) return -1;
     }
     return -1;
 }

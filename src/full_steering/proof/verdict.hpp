@@ -10,10 +10,9 @@
 
 namespace snug::detail {
 
-/// A car that drives from one heading, and what is agreed about parking.
+/// A car that drives from one heading.
 struct SingleRuns {
     const FullSteering& steering;
-    double steepest;  ///< see steepest_at_rest()
 
     /// How many changes it parks with; -1 if it does not, with up to that many.
     [[nodiscard]] int changes_from(double heading, int most) const;
