@@ -65,6 +65,15 @@ std::vector<std::pair<std::string_view, Obstacle>> words() {
     return all;
 }
 
+template <>
+std::vector<std::pair<std::string_view, MapBounds::Where>> words() {
+    return {{"free", MapBounds::free}, {"blocked", MapBounds::blocked}, {"outside", MapBounds::outside}};
+}
+template <>
+std::vector<std::pair<std::string_view, Sought>> words() {
+    return spelled<Sought>({Sought::length, Sought::width});
+}
+
 void complain(const std::string& name, const std::string& wanted, py::handle given) {
     throw py::type_error(name + " must be " + wanted + ", not " + Py_TYPE(given.ptr())->tp_name);
 }
@@ -137,12 +146,33 @@ Pose as_pose(py::handle value, const std::string& name) {
     return {n[0], n[1], n[2]};
 }
 
+AnyPlace as_place(py::handle value, const std::string& name) {
+    if (py::isinstance<Street>(value)) return value.cast<Street>();
+    if (py::isinstance<Scene>(value)) return value.cast<Scene>();
+    complain(name, "a snug.Street or a snug.Scene", value);
+}
+
 MaybeBaseline as_baseline(py::handle value, const std::string& name) {
     if (value.is_none() || py::isinstance<MaxSteer>(value)) return std::nullopt;
     if (py::isinstance<Stepping>(value)) return value.cast<Stepping>();
     if (py::isinstance<ReversedTrials>(value)) return value.cast<ReversedTrials>();
     if (py::isinstance<ParallelTrials>(value)) return value.cast<ParallelTrials>();
     complain(name, "a snug.MaxSteer, Stepping, ReversedTrials or ParallelTrials", value);
+}
+
+std::string as_json_text(py::handle value, const std::string& name) {
+    if (!py::isinstance<py::dict>(value)) complain(name, "a dict", value);
+    return py::str(py::module_::import("json").attr("dumps")(value));
+}
+
+std::string counted(int count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string few_digits(double number) { return py::str(py::float_(std::round(number * 1e5) / 1e5)); }
+
+Error as_complaint(const std::string& key, const std::string& what) {
+    return Error(key.empty() ? "car " + what : key + " " + what);
 }
 
 Numbers as_numbers(py::handle value, const std::string& name) {
@@ -163,26 +193,33 @@ Signature::Signature(std::string text) : text_(std::move(text)) {
     bool keyword_only = false;
     std::size_t from = open + 1;
     int depth = 0;
-    for (std::size_t i = from; i < text_.size(); ++i) {
-        if (text_[i] == '(') ++depth;
-        if (depth > 0) {
-            if (text_[i] == ')') --depth;
-            continue;
-        }
-        if (text_[i] != ',' && text_[i] != ')') continue;
-        const std::string one = text_.substr(from, i - from);
-        from = i + 2;
+    const auto trimmed = [](std::string_view part) {
+        while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
+        while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
+        return std::string(part);
+    };
+    for (std::size_t i = from; depth >= 0 && i < text_.size(); ++i) {
+        const char at = text_[i];
+        if (at == '(' || at == '[') ++depth;
+        if (at == ')' || at == ']') --depth;
+        if (depth >= 0 && !(depth == 0 && at == ',')) continue;
+        const std::string one = trimmed(std::string_view(text_).substr(from, i - from));
+        from = i + 1;
         if (one.empty()) continue;
-        if (one == "self") continue;
-        if (one == "*") {
-            keyword_only = true;
-            continue;
-        }
         const std::size_t equals = one.find('=');
-        parameters_.push_back({one.substr(0, equals), equals == std::string::npos});
+        const std::string name = trimmed(one.substr(0, std::min(one.find(':'), equals)));
+        const std::string value = equals == std::string::npos ? "" : trimmed(one.substr(equals + 1));
+        untyped_ += untyped_.empty() ? "(" : ", ";
+        untyped_.append(name).append(value.empty() ? "" : "=").append(value);
+        if (name == "*") keyword_only = true;
+        if (name == "*" || name == "/" || name == "self") continue;
+        parameters_.push_back({name, value});
         if (!keyword_only) ++positional_;
     }
+    untyped_ += untyped_.empty() ? "()" : ")";
 }
+
+std::string Signature::default_of(std::string_view name) const { return parameters_[index(name)].value; }
 
 std::size_t Signature::index(std::string_view name) const {
     const auto at = std::find_if(parameters_.begin(), parameters_.end(),
@@ -201,21 +238,28 @@ std::vector<py::handle> Signature::bind(const py::args& args, const py::kwargs& 
         const std::string name = py::str(key);
         std::size_t i = 0;
         while (i < parameters_.size() && parameters_[i].name != name) ++i;
-        if (i == parameters_.size()) throw py::type_error(function_ + "() has no argument '" + name + "': " + text_);
+        if (i == parameters_.size())
+            throw py::type_error(function_ + "() has no argument '" + name + "': " + function_ + untyped_);
         if (values[i]) throw py::type_error(function_ + "() got '" + name + "' twice");
         values[i] = value;
     }
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (parameters_[i].required && !values[i])
-            throw py::type_error(function_ + "() lacks the argument '" + parameters_[i].name + "': " + text_);
+        if (parameters_[i].value.empty() && !values[i])
+            throw py::type_error(function_ + "() lacks the argument '" + parameters_[i].name + "': " + function_ +
+                                 untyped_);
     return values;
 }
 
-std::string Signature::docstring(const std::string& documentation) const { return text_ + "\n--\n\n" + documentation; }
+std::string Signature::docstring(const std::string& documentation) const {
+    return function_ + untyped_ + "\n--\n\n" + text_ + "\n\n" + documentation;
+}
 
 std::string Signature::constructor_docstring() const {
-    const std::string rest = text_.substr(function_.size() + 1);
-    return "__init__(self" + std::string(rest == ")" ? "" : ", ") + rest + "\n--\n\nSee help(type(self)).";
+    const auto with_self = [](const std::string& parameters) {
+        return "__init__(self" + std::string(parameters == "()" ? "" : ", ") + parameters.substr(1);
+    };
+    return with_self(untyped_) + "\n--\n\n" + with_self(text_.substr(function_.size())) +
+           " -> None\n\nSee help(type(self)).";
 }
 
 py::object Arguments::callback(const std::string& name) const {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "answers.hpp"
 #include "snug/snug.hpp"
 
 namespace snug::python {
@@ -47,11 +48,25 @@ std::vector<std::pair<std::string_view, CarPart>> words();
 template <>
 std::vector<std::pair<std::string_view, Obstacle>> words();
 
+template <>
+std::vector<std::pair<std::string_view, MapBounds::Where>> words();
+template <>
+std::vector<std::pair<std::string_view, Sought>> words();
+
 template <class Enumeration>
 std::string_view word(Enumeration value) {
     for (const auto& [spelled, meant] : words<Enumeration>())
         if (meant == value) return spelled;
     throw std::logic_error("a value without a word");
+}
+
+/// The type of these words: "Literal['backward', 'forward']".
+template <class Enumeration>
+std::string literal() {
+    std::string text;
+    for (const auto& [spelled, meant] : words<Enumeration>())
+        text.append(text.empty() ? "Literal['" : ", '").append(spelled).append("'");
+    return text + "]";
 }
 
 /// Throws TypeError: "slot must be a snug.Slot, not str".
@@ -62,7 +77,17 @@ int as_count(py::handle value, const std::string& name);
 std::string as_text(py::handle value, const std::string& name);
 Point as_point(py::handle value, const std::string& name);
 Pose as_pose(py::handle value, const std::string& name);
+AnyPlace as_place(py::handle value, const std::string& name);
 MaybeBaseline as_baseline(py::handle value, const std::string& name);
+
+/// The JSON text of a dictionary.
+std::string as_json_text(py::handle value, const std::string& name);
+/// "18 direction changes"
+std::string counted(int count, const std::string& what);
+/// "4.5", as Python prints a number that is not longer than it need be.
+std::string few_digits(double number);
+/// What is wrong with a described car, about an argument.
+Error as_complaint(const std::string& key, const std::string& what);
 
 /// An array of numbers (or of whole numbers) from anything NumPy makes one of; the original is left alone.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -74,6 +99,10 @@ template <class T>
 struct IsOptional : std::false_type {};
 template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
 
 template <class T>
 T as(py::handle value, const std::string& name) {
@@ -82,6 +111,17 @@ T as(py::handle value, const std::string& name) {
     } else if constexpr (IsOptional<T>::value) {
         if (value.is_none()) return std::nullopt;
         return as<typename T::value_type>(value, name);
+    } else if constexpr (IsVector<T>::value) {
+        if (!py::isinstance<py::iterable>(value)) complain(name, "a sequence", value);
+        T all;
+        for (const py::handle one : value)
+            all.push_back(as<typename T::value_type>(one, name + "[" + std::to_string(all.size()) + "]"));
+        return all;
+    } else if constexpr (std::is_same_v<T, Headings>) {
+        const Point ends = as_point(value, name);
+        return {ends.x, ends.y};
+    } else if constexpr (std::is_same_v<T, std::size_t>) {
+        return static_cast<std::size_t>(as_count(value, name));
     } else if constexpr (std::is_same_v<T, bool>) {
         if (!PyBool_Check(value.ptr())) complain(name, "True or False", value);
         return value.ptr() == Py_True;
@@ -95,6 +135,8 @@ T as(py::handle value, const std::string& name) {
         return as_point(value, name);
     } else if constexpr (std::is_same_v<T, Pose>) {
         return as_pose(value, name);
+    } else if constexpr (std::is_same_v<T, AnyPlace>) {
+        return as_place(value, name);
     } else if constexpr (std::is_same_v<T, Numbers>) {
         return as_numbers(value, name);
     } else if constexpr (std::is_same_v<T, Counts>) {
@@ -116,7 +158,8 @@ T as(py::handle value, const std::string& name) {
     }
 }
 
-/// The parameters of a function, read from what help() shows: "entry(car, slot, *, clearance=0.0)".
+/// The parameters of a function, read from what help() and type checkers are shown:
+/// "entry(car: Car, slot: Slot, *, clearance: float = 0.0) -> Answer". There may be a line for each of several types.
 class Signature {
 public:
     explicit Signature(std::string text);
@@ -126,7 +169,9 @@ public:
     /// Every parameter with its value or null, in their order. Throws TypeError as Python does.
     [[nodiscard]] std::vector<py::handle> bind(const py::args& args, const py::kwargs& kwargs) const;
     [[nodiscard]] std::size_t index(std::string_view name) const;
-    /// As the docstring begins, so that inspect.signature() can read it.
+    /// What the parameter is unless given, as it is written; empty where it has to be given.
+    [[nodiscard]] std::string default_of(std::string_view name) const;
+    /// Begins without types, so that inspect.signature() can read it, and goes on with them.
     [[nodiscard]] std::string docstring(const std::string& documentation) const;
     /// The same of a class's __init__.
     [[nodiscard]] std::string constructor_docstring() const;
@@ -134,18 +179,29 @@ public:
 private:
     struct Parameter {
         std::string name;
-        bool required = true;
+        std::string value;  // unless given; empty where it has to be
     };
     std::string text_;
     std::string function_;
+    std::string untyped_;  // "(car, slot, *, clearance=0.0)"
     std::vector<Parameter> parameters_;
     std::size_t positional_ = 0;
 };
 
 /// The parameters that questions share, and where Arguments reads them.
-inline const std::string driving_parameters = "clearance=0.0, curb_clearance=None, enter='backward'";
-inline const std::string parked_parameters = "parked_heading=None, parked_curb=None";
-inline const std::string neighbour_parameters = "front_setback=0.0, rear_setback=0.0, curb='high'";
+inline const std::string clearance_parameters = "clearance: float = 0.0, curb_clearance: float | None = None";
+inline const std::string driving_parameters = clearance_parameters + ", enter: " + literal<Enter>() + " = 'backward'";
+inline const std::string parked_parameters = "parked_heading: float | None = None, parked_curb: float | None = None";
+inline const std::string neighbour_parameters =
+    "front_setback: float = 0.0, rear_setback: float = 0.0, curb: " + literal<Curb>() + " = 'high'";
+/// What several parameters may be.
+inline const std::string point_type = "Point | tuple[float, float]";
+inline const std::string pose_type = "Pose | tuple[float, float, float]";
+inline const std::string path_type = "str | PathLike[str]";
+inline const std::string baseline_parameter =
+    "strategy: MaxSteer | Stepping | ReversedTrials | ParallelTrials | None = None";
+inline const std::string progress_parameter = "progress: Callable[[float], Any] | None = None";
+inline const std::string search_progress_parameter = "progress: Callable[[FewestProgress], Any] | None = None";
 inline const std::string conditions = driving_parameters + ", " + parked_parameters;
 /// What they mean.
 inline const std::string conditions_meaning =
@@ -161,8 +217,9 @@ inline const std::string neighbours_meaning =
 
 /// Of min_slot() and min_slots(), which read them alike.
 inline const std::string min_slot_parameters =
-    "min_range=0.0, " + conditions + ", " + neighbour_parameters +
-    ", longest=4.0, widest=4.0, precision=0.001, resolution=0.0, progress=None)";
+    "min_range: float = 0.0, " + conditions + ", " + neighbour_parameters +
+    ", longest: float = 4.0, widest: float = 4.0, precision: float = 0.001, resolution: float = 0.0, " +
+    progress_parameter + ")";
 inline const std::string min_slot_meaning =
     "With 'max-steer', full steering, the slot is the smallest for which headings over a range at least `min_range` "
     "wide\n"
@@ -188,6 +245,7 @@ public:
         const py::handle given = values_[signature_.index(name)];
         if (given) value = as<T>(given, name);
     }
+    [[nodiscard]] bool has(const std::string& name) const { return static_cast<bool>(values_[signature_.index(name)]); }
     /// The conditions: how the car is driven, and what counts as parked.
     void read_driving(Driving& driving) const {
         read("clearance", driving.clearance);
@@ -246,6 +304,16 @@ void define(py::module_& module, const std::string& signature, const std::string
         read->docstring(documentation).c_str());
 }
 
+/// A static method.
+template <class Class, class Body>
+void define_static(Class& type, const std::string& signature, const std::string& documentation, Body body) {
+    const auto read = std::make_shared<const Signature>(signature);
+    type.def_static(
+        read->function().c_str(),
+        [read, body](const py::args& args, const py::kwargs& kwargs) { return body(Arguments(*read, args, kwargs)); },
+        read->docstring(documentation).c_str());
+}
+
 /// A method: `body` takes the object and the arguments. The signature begins with "self".
 template <class Class, class Body>
 void define_method(Class& type, const std::string& signature, const std::string& documentation, Body body) {
@@ -257,75 +325,5 @@ void define_method(Class& type, const std::string& signature, const std::string&
         },
         read->docstring(documentation).c_str());
 }
-
-/// A class of immutable values: equal, hashed and printed by their fields.
-template <class T>
-class Value : public py::class_<T> {
-public:
-    using type = T;
-    Value(py::module_& module, const char* name, const std::string& documentation)
-        : py::class_<T>(module, name, documentation.c_str(), py::is_final(),
-                        py::metaclass(reinterpret_cast<PyObject*>(&PyType_Type))) {}
-
-    template <class Get>
-    Value& field(const char* name, Get get, const char* documentation) {
-        fields_.append(name);
-        return property(name, get, documentation);
-    }
-    /// Follows from the fields.
-    template <class Get>
-    Value& property(const char* name, Get get, const char* documentation) {
-        this->def_property_readonly(name, get, documentation);
-        return *this;
-    }
-    /// Once all fields are there.
-    Value& finish(bool short_repr = false) {
-        const py::tuple fields(fields_);
-        const auto values = [fields](const py::object& self) {
-            py::list all;
-            for (const py::handle name : fields) all.append(self.attr(name));
-            return py::tuple(all);
-        };
-        this->attr("__match_args__") = fields;
-        this->def("__eq__", [values](const py::object& self, const py::object& other) -> py::object {
-            if (!py::isinstance<T>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-            return py::bool_(values(self).equal(values(other)));
-        });
-        this->def("__hash__", [values](const py::object& self) { return py::hash(values(self)); });
-        this->def("__copy__", [](const py::object& self) { return self; });
-        this->def("__deepcopy__", [](const py::object& self, const py::dict&) { return self; });
-        if (short_repr) return *this;
-        this->def("__repr__", [fields](const py::object& self) {
-            std::string text = py::str(py::type::of(self).attr("__name__"));
-            const char* separator = "";
-            text.append("(");
-            for (const py::handle name : fields) {
-                text.append(separator).append(py::str(name)).append("=").append(py::repr(self.attr(name)));
-                separator = ", ";
-            }
-            return text + ")";
-        });
-        return *this;
-    }
-    /// With a constructor: `body` takes the arguments; the signature is the class's. Values can be copied and pickled.
-    template <class Body>
-    Value& constructor(const Signature& signature, Body body) {
-        this->def(py::init([signature, body](const py::args& args, const py::kwargs& kwargs) {
-                      return body(Arguments(signature, args, kwargs));
-                  }),
-                  signature.constructor_docstring().c_str());
-        const py::tuple fields(fields_);
-        this->def("__reduce__", [fields](const py::object& self) {
-            py::dict named;
-            for (const py::handle name : fields) named[name] = self.attr(name);
-            const py::object partial = py::module_::import("functools").attr("partial");
-            return py::make_tuple(partial(py::type::of(self), **named), py::tuple());
-        });
-        return *this;
-    }
-
-private:
-    py::list fields_;
-};
 
 }  // namespace snug::python

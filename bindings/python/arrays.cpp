@@ -290,15 +290,15 @@ void define_arrays(py::module_& module) {
                          steering_rate, curvature, distance);
 
     define(
-        module, "waypoints(maneuver, spacing)",
+        module, "waypoints(maneuver: Maneuver, spacing: float) -> NDArray[np.void]",
         "A maneuver as the poses that path followers take, at most `spacing` [m] apart: a structured array with x, y,\n"
         "heading, direction (1 forward, -1 backward), curvature [1/m], positive to the left, and distance driven [m].\n"
         "Where the direction changes there are two with one pose: the first ends a stretch, the second begins one.",
         waypoints_of);
     define(
         module,
-        "trajectory(maneuver, *, period=0.05, speed=1.0, acceleration=0.5, deceleration=0.5, steering_rate=0.5, "
-        "steering_angle=0.0)",
+        "trajectory(maneuver: Maneuver, *, period: float = 0.05, speed: float = 1.0, acceleration: float = 0.5, "
+        "deceleration: float = 0.5, steering_rate: float = 0.5, steering_angle: float = 0.0) -> NDArray[np.void]",
         "A maneuver over time, as fast as the limits allow [m/s, m/s2, rad/s], the steering turning at standstill\n"
         "only: a structured array with time [s], x, y, heading, direction (1 forward, -1 backward), speed (negative\n"
         "backward), acceleration, steering_angle, steering_rate, curvature and distance, a row every `period` [s]\n"
@@ -310,8 +310,11 @@ void define_arrays(py::module_& module) {
         "False,\n"
         "so does the question: None.";
     define(module,
-           "entries(car, lengths, widths, *, max_changes=None, min_range=0.0, " + conditions + ", " +
-               neighbour_parameters + ", strategy=None, threads=0, progress=None)",
+           "entries(car: Car, lengths: ArrayLike, widths: ArrayLike, *, max_changes: int | None = None, min_range: "
+           "float = "
+           "0.0, " +
+               conditions + ", " + neighbour_parameters + ", " + baseline_parameter + ", threads: int = 0, " +
+               progress_parameter + ") -> Any",
            "What entry() answers for many slots, `lengths` and `widths` broadcast: a structured array with\n"
            "direction_changes (-1 where the car cannot park) and, of the widest range with so few, heading_min,\n"
            "heading_max and their middle entry_heading [rad] (NaN where there is none).\n\n" +
@@ -319,7 +322,10 @@ void define_arrays(py::module_& module) {
            entries);
     define(
         module,
-        "direction_changes(car, slot, headings, *, max_changes=200, " + conditions + ", threads=0, progress=None)",
+        "direction_changes(car: Car, slot: Slot | tuple[ArrayLike, ArrayLike], headings: ArrayLike, *, max_changes: "
+        "int "
+        "= 200, " +
+            conditions + ", threads: int = 0, " + progress_parameter + ") -> Any",
         "For each entry heading [rad] in [0, pi/2] the number of direction changes after which max_steer() parks, or\n"
         "-1 where it does not. `slot` is a Slot, or a tuple of arrays (lengths, widths) that are broadcast with the\n"
         "headings.\n\n" +
@@ -328,8 +334,11 @@ void define_arrays(py::module_& module) {
 
     define(
         module,
-        "min_slots(car, max_changes, *, widths=None, lengths=None, strategy='max-steer', step=0.001, threads=0, " +
-            min_slot_parameters,
+        "min_slots(car: Car, max_changes: ArrayLike, *, widths: ArrayLike | None = None, lengths: ArrayLike | None = "
+        "None, "
+        "strategy: " +
+            literal<Strategy>() + " | Stepping = 'max-steer', step: float = 0.001, threads: int = 0, " +
+            min_slot_parameters + " -> Any",
         "min_slot() for every maximum of direction changes and every one of the `widths`, or of the `lengths`: a\n"
         "structured array with length, width, lower [m] and entry_heading [rad], NaN where nothing will do; its shape\n"
         "is that of `max_changes` followed by that of the sizes.\n\n" +

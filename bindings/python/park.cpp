@@ -5,41 +5,28 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "arguments.hpp"
 #include "module.hpp"
 #include "progress.hpp"
 #include "snug/io.hpp"
 #include "snug/scene.hpp"
+#include "value.hpp"
 
 namespace snug::python {
 
 namespace {
-
-using AnyPlace = std::variant<Street, Scene>;
-
-AnyPlace any_place(const py::object& value) {
-    if (py::isinstance<Street>(value)) return value.cast<Street>();
-    if (py::isinstance<Scene>(value)) return value.cast<Scene>();
-    complain("place", "a snug.Street or a snug.Scene", value);
-}
 
 Place place_of(const AnyPlace& place) {
     const auto* street = std::get_if<Street>(&place);
     return street ? street_place(*street) : std::get<Scene>(place).place;
 }
 
-/// A map, and of what in Python's words.
-struct MapOf {
-    AnyPlace of;
-    std::optional<double> heading;
-    ParkMap map;
-};
-
 void define_places(py::module_& module) {
     const Signature street(
-        "Street(length, width, *, angle=0.0, road=None, stretch=10.0, enter='backward', side='right', corner=(0.0, "
-        "0.0), heading=0.0, front_setback=0.0, rear_setback=0.0, curb='high', curb_clearance=None, "
-        "parked_heading=None, parked_curb=None)");
+        "Street(length: float, width: float, *, angle: float = 0.0, road: float | None = None, stretch: float = 10.0, "
+        "enter: " +
+        literal<Enter>() + " = 'backward', side: " + literal<Side>() + " = 'right', corner: " + point_type +
+        " = (0.0, 0.0), heading: float = 0.0, " + neighbour_parameters + ", curb_clearance: float | None = None, " +
+        parked_parameters + ")");
     Value<Street>(
         module, "Street",
         street.docstring(
@@ -52,35 +39,19 @@ void define_places(py::module_& module) {
             "'forward'. The rest is as in Slot; what counts as parked may be narrowed to so much off the "
             "parked\n"
             "heading [rad] and so far from the curb [m]."))
-        .field(
-            "length", [](const Street& s) { return s.length; }, "Along the parked car [m]")
-        .field(
-            "width", [](const Street& s) { return s.width; }, "Across it [m]")
-        .field(
-            "angle", [](const Street& s) { return s.angle; }, "Between the parked car and the street [rad]")
-        .field(
-            "road", [](const Street& s) { return s.road; }, "From the entry side to a wall beyond [m], or None")
-        .field(
-            "stretch", [](const Street& s) { return s.stretch; }, "How far beyond the slot the rear axle may go [m]")
-        .field(
-            "enter", [](const Street& s) { return word(s.enter); }, "'backward' or 'forward'")
-        .field(
-            "side", [](const Street& s) { return word(s.side); }, "'right' or 'left' of the road")
-        .field(
-            "corner", [](const Street& s) { return s.corner; }, "The slot's corner nearest to the road, ahead [m]")
-        .field(
-            "heading", [](const Street& s) { return s.heading; }, "Of the street [rad]")
-        .field(
-            "front_setback", [](const Street& s) { return s.front_setback; },
-            "How much deeper the neighbour ahead begins [m]")
-        .field(
-            "rear_setback", [](const Street& s) { return s.rear_setback; },
-            "How much deeper the neighbour behind begins [m]")
-        .field(
-            "curb", [](const Street& s) { return word(s.curb); }, "'high', or 'low': it stops the wheels only")
-        .field(
-            "curb_clearance", [](const Street& s) { return s.curb_clearance; },
-            "What the body keeps from the curb [m]; None: as everywhere")
+        .field("length", &Street::length, "Along the parked car [m]")
+        .field("width", &Street::width, "Across it [m]")
+        .field("angle", &Street::angle, "Between the parked car and the street [rad]")
+        .field("road", &Street::road, "From the entry side to a wall beyond [m], or None")
+        .field("stretch", &Street::stretch, "How far beyond the slot the rear axle may go [m]")
+        .field("enter", &Street::enter, "'backward' or 'forward'")
+        .field("side", &Street::side, "'right' or 'left' of the road")
+        .field("corner", &Street::corner, "The slot's corner nearest to the road, ahead [m]")
+        .field("heading", &Street::heading, "Of the street [rad]")
+        .field("front_setback", &Street::front_setback, "How much deeper the neighbour ahead begins [m]")
+        .field("rear_setback", &Street::rear_setback, "How much deeper the neighbour behind begins [m]")
+        .field("curb", &Street::curb, "'high', or 'low': it stops the wheels only")
+        .field("curb_clearance", &Street::curb_clearance, "What the body keeps from the curb [m]; None: as everywhere")
         .field(
             "parked_heading",
             [](const Street& s) {
@@ -117,33 +88,29 @@ void define_places(py::module_& module) {
                          return made;
                      })
         .finish();
-    define(module, "standard_start(street, car)",
+    define(module, "standard_start(street: Street, car: Car) -> Pose",
            "Where a car begins unless told otherwise, a Pose: parallel to the street, 1 m beside the front neighbour; "
            "at\n"
            "an angle in the middle of the road, past the bay when it backs in and before it when it noses in.",
            [](const Arguments& given) { return standard_start(given.get<Street>("street"), given.get<Car>("car")); });
 
-    const Signature scene("Scene(json)");
+    const Signature scene("Scene(json: str)");
     Value<Scene> type(module, "Scene",
                       scene.docstring("A place of any shape, and where the car stands in it, as a scene file says "
                                       "(docs/formats.md):\n"
                                       "`json` is the text of one."));
     type.field(
             "json", [](const Scene& s) { return as_json(s).dump(); }, "As a scene file.")
-        .property(
-            "start", [](const Scene& s) { return s.start; }, "Where the car stands, a Pose.")
+        .property("start", &Scene::start, "Where the car stands, a Pose.")
         .constructor(scene,
                      [](const Arguments& given) { return scene_from_json(given.get<std::string>("json"), "json"); })
         .finish();
-    type.def_static(
-        "from_dict",
-        [](const py::dict& keys) {
-            return scene_from_json(std::string(py::str(py::module_::import("json").attr("dumps")(keys))), "scene");
-        },
-        "from_dict(keys, /)\n--\n\n"
-        "The scene that a file with these keys describes. Raises Error when it is none.",
-        py::arg("keys"), py::pos_only());
-    define(module, "read_scene(path)",
+    define_static(type, "from_dict(keys: dict[str, Any], /) -> Scene",
+                  "The scene that a file with these keys describes. Raises Error when it is none.",
+                  [](const Arguments& given) {
+                      return scene_from_json(as_json_text(given.get<py::object>("keys"), "keys"), "scene");
+                  });
+    define(module, "read_scene(path: " + path_type + ") -> Scene",
            "The scene in a JSON file, or in a .csv file of the TPCAP benchmark. Raises Error when it cannot be read.",
            [](const Arguments& given) {
                return read_scene(py::str(py::module_::import("os").attr("fspath")(given.get<py::object>("path"))));
@@ -151,35 +118,51 @@ void define_places(py::module_& module) {
 }
 
 void define_park(py::module_& module) {
-    Value<ParkAnswer>(module, "ParkAnswer", "What park() found, and what is proved.")
+    Value<ParkStop>(module, "ParkStop", "What the car is nearest to where it stops.")
+        .field("obstacle", &ParkStop::obstacle, "Of the place, from 0.")
+        .field(
+            "distance", [](auto& s) -> auto& { return s.gap.distance; }, "[m]")
+        .field(
+            "part", [](auto& s) -> auto& { return s.gap.part; }, "Of the car.")
+        .field(
+            "index", [](auto& s) -> auto& { return s.gap.part_index; }, "As in Contact.")
+        .finish();
+    Value<AskedPark>(module, "ParkAnswer", "What park() found, and what is proved.")
         .property(
-            "parkable", [](const ParkAnswer& a) { return a.parkable(); }, "Whether a maneuver was found.")
-        .field(
-            "cancelled", [](const ParkAnswer& a) { return a.cancelled; }, "A limit, or the progress callback, gave up.")
-        .field(
-            "direction_changes", [](const ParkAnswer& a) { return a.direction_changes; },
-            "The fewest that a maneuver was found for; None where none was.")
-        .field(
-            "lower_bound", [](const ParkAnswer& a) { return a.lower_bound; },
-            "No maneuver has fewer; more than max_changes: the car cannot park with as many.")
-        .field(
-            "proved", [](const ParkAnswer& a) { return a.proved; },
-            "The two meet, or the lower bound exceeds what is allowed.")
-        .field(
-            "impossible", [](const ParkAnswer& a) { return a.impossible; }, "No number of changes will do: proved.")
-        .field(
-            "maneuver", [](const ParkAnswer& a) { return a.maneuver; }, "One with the fewest changes, or None.")
-        .field(
-            "alternatives", [](const ParkAnswer& a) { return py::tuple(py::cast(a.alternatives)); },
-            "Maneuvers with more changes, each much shorter than those with fewer or ending straighter.")
-        .field(
-            "spacing", [](const ParkAnswer& a) { return a.spacing; },
-            "Of the finest lattice that was needed [m]; 0 if none was.")
+            "parkable", [](const AskedPark& a) { return a.parkable(); }, "Whether a maneuver was found.")
+        .field("cancelled", &AskedPark::cancelled, "A limit, or the progress callback, gave up.")
+        .field("direction_changes", &AskedPark::direction_changes,
+               "The fewest that a maneuver was found for; None where none was.")
+        .field("lower_bound", &AskedPark::lower_bound,
+               "No maneuver has fewer; more than max_changes: the car cannot park with as many.")
+        .field("proved", &AskedPark::proved, "The two meet, or the lower bound exceeds what is allowed.")
+        .field("impossible", &AskedPark::impossible, "No number of changes will do: proved.")
+        .field("maneuver", &AskedPark::maneuver, "One with the fewest changes, or None.")
+        .field("alternatives", &AskedPark::alternatives,
+               "Maneuvers with more changes, each much shorter than those with fewer or ending straighter.")
+        .field("spacing", &AskedPark::spacing, "Of the finest lattice that was needed [m]; 0 if none was.")
+        .field("stops", &AskedPark::stops, "What the car is nearest to at the end of every move.")
+        .field("car", &AskedPark::car, "The car asked about.", "Car")
+        .field("place", &AskedPark::place, "Where it parks.", "Street | Scene")
+        .field("start", &AskedPark::start, "Where it began.")
+        .field("max_changes", &AskedPark::max_changes, "As asked.")
+        .field("clearance", &AskedPark::clearance, "As asked [m].")
+        .said([](const AskedPark& a) {
+            std::string text = "ParkAnswer: " + (a.car->name().empty() ? "a car" : a.car->name()) + ", ";
+            text += a.direction_changes ? counted(*a.direction_changes, "direction change")
+                    : a.impossible      ? "impossible"
+                    : a.proved          ? "cannot park"
+                                        : "undecided";
+            return text + (a.proved ? ", proved" : "");
+        })
+        .picture([](const AskedPark& a) { return picture(a); })
         .finish();
     define(
         module,
-        "park(car, place, start=None, *, max_changes=200, clearance=0.0, resolution=0.0, time_limit=None, "
-        "roomiest=True, progress=None)",
+        "park(car: Car, place: Street | Scene, start: " + pose_type +
+            " | None = None, *, max_changes: int = 200, clearance: float = 0.0, resolution: float = 0.0, time_limit: "
+            "float | None = None, roomiest: bool = True, " +
+            search_progress_parameter + ") -> ParkAnswer",
         "From `start`, a Pose in the world, into a Street or a Scene with the fewest direction changes, whatever way "
         "the\n"
         "car is steered, with proof. Returns a ParkAnswer.\n\n"
@@ -192,7 +175,7 @@ void define_park(py::module_& module) {
         "told a FewestProgress; returning False ends with the bounds found so far.\n",
         [](const Arguments& given) {
             const auto car = given.get<Car>("car");
-            const AnyPlace place = any_place(given.get<py::object>("place"));
+            const AnyPlace place = given.get<AnyPlace>("place");
             std::optional<Pose> start;
             given.read("start", start);
             if (!start)
@@ -208,7 +191,15 @@ void define_park(py::module_& module) {
             given.read("roomiest", options.roomiest);
             Progress progress(given.callback("progress"));
             options.progress = [&](const ParkProgress& state) { return progress.tell(state); };
-            return interruptible(progress, [&] { return park(car, place_of(place), *start, options); });
+            AskedPark asked;
+            static_cast<ParkAnswer&>(asked) =
+                interruptible(progress, [&] { return park(car, place_of(place), *start, options); });
+            asked.car = car;
+            asked.place = place;
+            asked.start = *start;
+            asked.max_changes = options.max_changes;
+            asked.clearance = options.clearance;
+            return asked;
         });
 }
 
@@ -217,27 +208,20 @@ constexpr int more_than_any = std::numeric_limits<int>::max();
 
 void define_map(py::module_& module) {
     Value<MapBounds>(module, "MapBounds", "What a ParkMap knows of a pose.")
-        .field(
-            "where",
-            [](const MapBounds& b) {
-                return b.where == MapBounds::free ? "free" : b.where == MapBounds::blocked ? "blocked" : "outside";
-            },
-            "'free'; 'blocked': the car meets something there; 'outside' of the region or the headings covered.")
-        .field(
-            "lower_bound", [](const MapBounds& b) { return b.lower_bound; }, "No maneuver has fewer changes.")
-        .field(
-            "impossible", [](const MapBounds& b) { return b.impossible; }, "No number of changes will do: proved.")
-        .field(
-            "direction_changes", [](const MapBounds& b) { return b.direction_changes; },
-            "A maneuver has so many; None where none is known.")
-        .field(
-            "first", [](const MapBounds& b) { return b.first ? std::optional(word(*b.first)) : std::nullopt; },
-            "How that begins, 'backward' or 'forward'; None where the car is parked already.")
+        .field("where", &MapBounds::where,
+               "'free'; 'blocked': the car meets something there; 'outside' of the region or the headings covered.")
+        .field("lower_bound", &MapBounds::lower_bound, "No maneuver has fewer changes.")
+        .field("impossible", &MapBounds::impossible, "No number of changes will do: proved.")
+        .field("direction_changes", &MapBounds::direction_changes, "A maneuver has so many; None where none is known.")
+        .field("first", &MapBounds::first,
+               "How that begins, 'backward' or 'forward'; None where the car is parked already.")
         .property(
             "proved", [](const MapBounds& b) { return b.proved(); }, "Both bounds meet.")
         .finish();
 
-    const Signature signature("ParkMap(car, place, *, clearance=0.0, spacing=0.0, max_changes=50, heading=None)");
+    const Signature signature(
+        "ParkMap(car: Car, place: Street | Scene, *, clearance: float = 0.0, spacing: float = 0.0, max_changes: int = "
+        "50, heading: float | None = None)");
     Value<MapOf> type(
         module, "ParkMap",
         signature.docstring(
@@ -249,16 +233,14 @@ void define_map(py::module_& module) {
             "circle needs; half of it takes four times as long. Counts go up to `max_changes`."));
     type.field(
             "car", [](const MapOf& m) { return m.map.car(); }, "The car it is made for.")
-        .field(
-            "place", [](const MapOf& m) { return m.of; }, "The Street or Scene.")
+        .field("place", &MapOf::of, "The Street or Scene.", "Street | Scene")
         .field(
             "clearance", [](const MapOf& m) { return m.map.clearance(); }, "By which the frame is grown [m]")
         .field(
             "spacing", [](const MapOf& m) { return m.map.spacing(); }, "Of the lattice [m]")
         .field(
             "max_changes", [](const MapOf& m) { return m.map.max_changes(); }, "It counts up to so many.")
-        .field(
-            "heading", [](const MapOf& m) { return m.heading; }, "As given, or None. [rad]")
+        .field("heading", &MapOf::heading, "As given, or None. [rad]")
         .property(
             "middle_heading", [](const MapOf& m) { return m.map.middle_heading(); },
             "80 degrees to either side of it are covered. [rad]")
@@ -270,7 +252,7 @@ void define_map(py::module_& module) {
         .constructor(signature,
                      [](const Arguments& given) {
                          const auto car = given.get<Car>("car");
-                         const AnyPlace place = any_place(given.get<py::object>("place"));
+                         const AnyPlace place = given.get<AnyPlace>("place");
                          ParkMapOptions options;
                          given.read("clearance", options.clearance);
                          given.read("spacing", options.spacing);
@@ -292,16 +274,17 @@ void define_map(py::module_& module) {
                              throw;
                          }
                      })
+        .picture([](const MapOf& m) { return picture(m); })
         .finish();
-    define_method(type, "at(self, pose)", "What is known of one Pose, as MapBounds.",
+    define_method(type, "at(self, pose: " + pose_type + ") -> MapBounds", "What is known of one Pose, as MapBounds.",
                   [](const MapOf& self, const Arguments& given) { return self.map.at(given.get<Pose>("pose")); });
     define_method(
-        type, "maneuver(self, pose)",
+        type, "maneuver(self, pose: " + pose_type + ") -> Maneuver | None",
         "From a Pose until parked, with at most as many changes as at() says, checked by exact contact, as a\n"
         "Maneuver; None where none is known, or the car is parked already.",
         [](const MapOf& self, const Arguments& given) { return self.map.maneuver(given.get<Pose>("pose")); });
     define_method(
-        type, "counts(self, poses)",
+        type, "counts(self, poses: ArrayLike) -> tuple[NDArray[np.int32], NDArray[np.int32]]",
         "Bounds on the fewest direction changes from many poses: an array whose last axis holds (x, y, heading).\n"
         "Returns two arrays of whole numbers, lower bounds and demonstrated counts. Where no number of changes will "
         "do, or\n"

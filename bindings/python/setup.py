@@ -20,7 +20,8 @@ class CMake(build_ext):
         subprocess.run(["cmake", "--build", build, "--parallel", str(os.cpu_count()), "--target", "_snug"], check=True)
         target = Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(build / "bindings/python/snug" / target.name, target)
+        for made in (target.name, "_snug.pyi"):
+            shutil.copy2(build / "bindings/python/snug" / made, target.parent / made)
 
 
 work = build / "bindings/python/wheel"

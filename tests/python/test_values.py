@@ -51,7 +51,7 @@ def test_cars_as_files_describe_them(tmp_path):
         width=1.8, front=3.6, rear=0.8, wheelbase=2.6, max_steer=0.6)
     with pytest.raises(snug.Error, match="looks like millimetres"):
         snug.Car.from_dict(sheet | {"width": 1800})
-    with pytest.raises(TypeError, match="width is missing"):
+    with pytest.raises(snug.Error, match="width is missing"):
         snug.Car(wheelbase=2.6, max_steer=0.6)
     with pytest.raises(snug.Error, match="leave it out"):
         snug.Car(wheelbase=2.6, max_steer=0.6, width=1.7, outline=WEDGE.outline)
@@ -184,6 +184,13 @@ def test_everything_public_is_documented_and_found_in_snug():
         assert inspect.ismodule(thing) or thing.__module__ == "snug"
 
 
+def said(answer):
+    """All that it says, but for a limit that was given or not."""
+    if not hasattr(answer, "to_dict"):
+        return str(answer)
+    return [getattr(answer, name) for name in answer.__match_args__ if name != "max_changes"]
+
+
 def test_defaults_are_the_ones_that_help_shows():
     asked = {
         "entry": (CAR, SLOT), "entries": (CAR, [4.5, 4.8], 2.0), "direction_changes": (CAR, SLOT, [0.4, 0.486]),
@@ -202,7 +209,7 @@ def test_defaults_are_the_ones_that_help_shows():
         if defaults:
             needed = {"min_slot": {"width": 2.0}, "min_slots": {"lengths": [6.0]}}.get(name, {})
             got, plain = thing(*asked[name], **{**defaults, **needed}), thing(*asked[name], **needed)
-            assert str(got) == str(plain), name
+            assert said(got) == said(plain), name
 
 
 def test_conditions_are_those_of_the_command():

@@ -1,0 +1,168 @@
+// How answers convert and show themselves.
+#include "answers.hpp"
+
+#include <pybind11/pybind11.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "snug/any_maneuver.hpp"
+#include "snug/draw.hpp"
+#include "snug/io.hpp"
+#include "value.hpp"
+
+namespace snug::python {
+
+namespace {
+
+Json json_of(py::handle value) {
+    if (value.is_none()) return nullptr;
+    if (PyBool_Check(value.ptr())) return value.ptr() == Py_True;
+    if (PyLong_Check(value.ptr())) return value.cast<std::int64_t>();
+    if (PyFloat_Check(value.ptr())) return value.cast<double>();
+    if (PyUnicode_Check(value.ptr())) return value.cast<std::string>();
+    if (py::hasattr(value, "to_json")) return Json::parse(value.attr("to_json")().cast<std::string>());
+    Json all = Json::array();
+    for (const py::handle one : value) all.push_back(json_of(one));
+    return all;
+}
+
+}  // namespace
+
+std::string json_of_fields(const py::object& self, const py::tuple& fields) {
+    Json json = Json::object();
+    for (const py::handle name : fields) json[std::string(py::str(name))] = json_of(self.attr(name));
+    return write(json);
+}
+
+py::object read_json(const std::string& text) { return py::module_::import("json").attr("loads")(text); }
+
+std::string spelled_value(const py::object& self, const py::tuple& fields, const Signature* constructor) {
+    std::string text = py::str(py::type::of(self).attr("__name__"));
+    const char* separator = "";
+    text.append("(");
+    for (const py::handle name : fields) {
+        const py::object value = self.attr(name);
+        const std::string spelled = py::repr(value);
+        if (constructor != nullptr) {
+            const std::string usual = constructor->default_of(std::string(py::str(name)));
+            if (spelled == usual) continue;
+            if (py::isinstance<Point>(value) && std::string(py::repr(py::tuple(value))) == usual) continue;
+        }
+        text.append(separator).append(py::str(name)).append("=").append(spelled);
+        separator = ", ";
+    }
+    return text + ")";
+}
+
+std::optional<AskedAnswer> AskedAnswer::any_maneuver() const {
+    if (cancelled || parkable() || leaving || cell || strategy == "fewest") return std::nullopt;
+    if (!any_) {
+        const auto found = [&] {
+            const py::gil_scoped_release interpreter;
+            return snug::any_maneuver(*car, *slot, driving, parked());
+        }();
+        any_ = std::make_shared<const std::optional<Answer>>(found);
+    }
+    if (!*any_) return std::nullopt;
+    AskedAnswer other = *this;
+    static_cast<Answer&>(other) = **any_;
+    other.strategy = to_string(Strategy::fewest);
+    other.max_changes.reset();
+    other.prove = false;
+    return other;
+}
+
+std::string json_text(const Car& car) { return write(as_json(car)); }
+std::string json_text(const Slot& slot) { return write(as_json(slot)); }
+std::string json_text(const Pose& pose) { return write(as_json(pose)); }
+std::string json_text(const Box& box) { return write(as_json(box)); }
+std::string json_text(const Contact& contact) {
+    return write({{"car", to_string(contact.part)}, {"obstacle", to_string(contact.obstacle)}});
+}
+std::string json_text(const Move& move) { return write(as_json(move)); }
+std::string json_text(const Maneuver& maneuver) {
+    if (maneuver.moves.empty()) return write({{"direction_changes", 0}, {"length", 0.0}, {"moves", Json::array()}});
+    return write(as_json(maneuver));
+}
+std::string json_text(const Street& street) { return write(as_json(street)); }
+std::string json_text(const Scene& scene) { return write(as_json(scene)); }
+std::string json_text(const HeadingRange& range) {
+    return write({{"heading_min", range.min},
+                  {"heading_max", range.max},
+                  {"direction_changes", range.direction_changes},
+                  {"subrange", range.subrange}});
+}
+
+std::string json_text(const AskedAnswer& answer) {
+    if (answer.leaving) return write(leave_as_json(*answer.car, *answer.slot, answer, answer.driving));
+    Json json;
+    if (answer.strategy == to_string(Strategy::fewest)) {
+        json = as_json(*answer.car, *answer.slot, answer.max_changes, answer, answer.driving, answer.parked());
+    } else {
+        EntryOptions options;
+        options.max_changes = answer.max_changes;
+        options.driving = answer.driving;
+        options.parked = answer.parked();
+        options.prove = answer.prove;
+        json = as_json(*answer.car, *answer.slot, options, answer, answer.strategy);
+        if (const auto any = answer.any_maneuver()) json["any_maneuver"] = any_maneuver_as_json(*any);
+    }
+    if (answer.cell)
+        json["cell"] = {{"length", answer.cell->min},
+                        {"width", answer.cell->max},
+                        {"shorter", answer.slot->length() - answer.cell->min},
+                        {"narrower", answer.slot->width() - answer.cell->max}};
+    return write(json);
+}
+
+std::string json_text(const AskedMinSlot& slot) {
+    MinSlotOptions options;
+    options.strategy = slot.strategy;
+    options.sought = slot.sought;
+    ListInParts list;
+    std::string text =
+        list.begin({{"schema", 1}, {"car", as_json(*slot.car)}, {"strategy", to_string(slot.strategy)}}, "rows");
+    text += list.item(as_json(slot, options));
+    return text + list.end();
+}
+
+std::string json_text(const AskedPark& answer) {
+    ParkOptions options;
+    options.max_changes = answer.max_changes;
+    options.clearance = answer.clearance;
+    if (const auto* street = std::get_if<Street>(&*answer.place))
+        return write(park_as_json(*answer.car, *street, answer.start, options, answer));
+    Scene scene = std::get<Scene>(*answer.place);
+    scene.start = answer.start;
+    return write(park_as_json(*answer.car, scene, options, answer));
+}
+
+std::optional<std::string> picture(const AskedAnswer& answer) {
+    if (answer.cancelled || (answer.leaving && !answer.maneuver)) return std::nullopt;
+    const PictureOptions options = {answer.driving};
+    if (answer.leaving) return draw_maneuver(*answer.slot, *answer.maneuver, PictureFormat::svg, options);
+    return draw_maneuver(*answer.car, *answer.slot, answer, PictureFormat::svg, options);
+}
+
+std::optional<std::string> picture(const AskedRun& run) {
+    return draw_maneuver(*run.slot, *run.maneuver, PictureFormat::svg);
+}
+
+std::optional<std::string> picture(const AskedPark& answer) {
+    PictureOptions options;
+    options.driving.clearance = answer.clearance;
+    if (const auto* street = std::get_if<Street>(&*answer.place))
+        return draw_park(*answer.car, *street, answer.start, answer, PictureFormat::svg, options);
+    Scene scene = std::get<Scene>(*answer.place);
+    scene.start = answer.start;
+    return draw_park(*answer.car, scene, answer, PictureFormat::svg, options);
+}
+
+std::optional<std::string> picture(const MapOf& map) {
+    if (const auto* street = std::get_if<Street>(&map.of))
+        return draw_map(map.map, *street, standard_start(*street, map.map.car()), PictureFormat::svg);
+    return draw_map(map.map, std::get<Scene>(map.of), PictureFormat::svg);
+}
+
+}  // namespace snug::python
