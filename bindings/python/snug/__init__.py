@@ -62,6 +62,7 @@ from ._snug import (
     read_scene as read_scene,
     reversed_trials as reversed_trials,
     reversed_trials_by_goal as reversed_trials_by_goal,
+    sheet_cars as sheet_cars,
     shortfall as shortfall,
     standard_start as standard_start,
     steer_for_curb_to_curb as steer_for_curb_to_curb,
