@@ -42,9 +42,10 @@ constexpr const char* examples =
 struct Asked {
     explicit Asked(Options& options)
         : file(options, "The database, made if it is missing."),
-          cars(options.text("--cars", "CARS",
-                            "all, or names that `snug cars` lists, car files, or\na CSV file as `snug cars --format "
-                            "csv` prints it.")),
+          cars(options.text(
+              "--cars", "CARS",
+              "all (the paper's five), names of `snug cars`, car\nfiles, or a CSV file as `snug cars --format csv`\n"
+              "prints it.")),
           widths(options.numbers(
               "--width", "RANGE",
               "Widths of slots [m]: from:to:step, both ends among them,\nor a list such as 1.8,2,2.5.", size)),

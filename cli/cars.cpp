@@ -1,4 +1,4 @@
-// snug cars: the catalogue, or one car in detail.
+// snug cars: the cars known by name and where their numbers are from, or one car in detail.
 #include <numbers>
 
 #include "cli/command.hpp"
@@ -25,23 +25,34 @@ constexpr const char* examples =
     "outline, a list of [x, y] about the middle of the rear axle, any convex shape.\n\n"
     "Examples:\n"
     "  snug cars\n"
+    "  snug cars tesla-model-3\n"
     "  snug cars renault-zoe --format json > my-car.json\n"
     "  snug cars my-car.json\n\n"
     "Exit codes: 0 done; 2 bad input.";
 
 std::string shown_name(const Car& car) { return car.name().empty() ? "(no name)" : car.name(); }
 
-std::string catalogue_text(const std::vector<Car>& cars) {
+/// The paper's cars and those of data sheets, in one table with the same columns.
+std::string known_text() {
     std::vector<std::vector<std::string>> rows = {
         {"", "width", "front", "rear", "wheelbase", "max steer", "turning", "curb to", "length"},
         {"", "w", "d_f", "d_r", "b", "phi_max", "radius", "curb", ""},
         {"car", "[m]", "[m]", "[m]", "[m]", "[deg]", "[m]", "[m]", "[m]"}};
-    for (const Car& car : cars) {
-        rows.push_back({shown_name(car), fixed(car.width(), 3), fixed(car.front(), 3), fixed(car.rear(), 3),
+    const auto add = [&](const Car& car) {
+        rows.push_back({car.name(), fixed(car.width(), 3), fixed(car.front(), 3), fixed(car.rear(), 3),
                         fixed(car.wheelbase(), 3), fixed(car.max_steer() / degree, 1), fixed(car.turning_radius(), 3),
                         fixed(car.curb_to_curb(), 3), fixed(car.length(), 3)});
+    };
+    rows.push_back({"of the paper:"});
+    for (const Car& car : catalogue()) add(car);
+    rows.push_back({"of data sheets:"});
+    std::vector<std::vector<std::string>> sheets;
+    for (const SheetCar& known : sheet_cars()) {
+        add(known.car);
+        sheets.push_back({known.car.name(), known.circle, known.sheet});
     }
-    return table(rows, "lrrrrrrrr", 0);
+    return table(rows, "lrrrrrrrr", 0) + "\nSheets, and the circles from which max steer is derived:\n" +
+           table(sheets, "lll", 0);
 }
 
 std::string car_text(const Car& car) {
@@ -63,6 +74,25 @@ std::string car_text(const Car& car) {
                                : "  an outline of " + std::to_string(car.outline().corners().size()) + " corners\n");
 }
 
+/// Which sheet a known car is from; nothing for the paper's cars and for files.
+std::string sheet_text(const std::string& name) {
+    for (const SheetCar& known : sheet_cars()) {
+        if (known.car.name() != name) continue;
+        std::string text = "\n  circle " + known.circle +
+                           "; max steer is derived from it, read as curb to curb\n  sheet  " + known.sheet +
+                           "\n         ";
+        for (const char c : known.source) text += c == '\n' ? "\n         " : std::string(1, c);
+        return text + "\n";
+    }
+    return "";
+}
+
+std::vector<Car> known_cars() {
+    std::vector<Car> cars = catalogue();
+    for (const SheetCar& known : sheet_cars()) cars.push_back(known.car);
+    return cars;
+}
+
 }  // namespace
 
 Action parse_cars(const Arguments& arguments) {
@@ -70,10 +100,10 @@ Action parse_cars(const Arguments& arguments) {
     const Option<std::string> name = options.argument("NAME", "A car's name, or a JSON file; without it, all cars.");
     const OutputOptions output(options);
     if (!options.read(arguments)) return say(options.help());
-    const std::vector<Car> cars = name ? std::vector<Car>{find_or_read_car(*name)} : catalogue();
+    const std::vector<Car> cars = name ? std::vector<Car>{find_or_read_car(*name)} : known_cars();
     std::string text;
     switch (output.format()) {
-        case Format::text: text = name ? car_text(cars.front()) : catalogue_text(cars); break;
+        case Format::text: text = name ? car_text(cars.front()) + sheet_text(*name) : known_text(); break;
         case Format::json: text = name ? car_json(cars.front()) : cars_json(cars); break;
         case Format::csv: text = as_csv(cars); break;
     }

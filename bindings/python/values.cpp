@@ -2,6 +2,9 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "io/car_file.hpp"
 #include "module.hpp"
@@ -209,13 +212,25 @@ void define_car(py::module_& module) {
 
     define(module, "cars() -> list[Car]", "The five cars of the paper's table 1, in its order.",
            [](const Arguments&) { return catalogue(); });
+    define(module, "sheet_cars() -> list[tuple[Car, str, str, str]]",
+           "Cars of public data sheets, sorted by name, each with the sheet's title, the turning circle printed there, "
+           "from which\n"
+           "max_steer is derived, and where both were read.",
+           [](const Arguments&) {
+               std::vector<std::tuple<Car, std::string, std::string, std::string>> list;
+               for (const SheetCar& known : sheet_cars())
+                   list.emplace_back(known.car, known.sheet, known.circle, known.source);
+               return list;
+           });
     define(module, "find_car(name: str) -> Car",
-           "The catalogue's car of that name. Raises Error when there is none, and says which was probably meant.",
+           "The car of that name, of cars() or sheet_cars(). Raises Error when there is none, and says which was "
+           "probably meant.",
            [](const Arguments& given) {
                const auto name = given.get<std::string>("name");
                if (const auto found = find_car(name)) return *found;
                std::string names;
                for (const Car& each : catalogue()) names.append(names.empty() ? "" : ", ").append(each.name());
+               for (const SheetCar& each : sheet_cars()) names.append(", ").append(each.car.name());
                const auto meant = nearest_car_name(name);
                throw Error("name is " + std::string(py::repr(py::str(name))) + ", but must be " +
                            (meant ? "'" + *meant + "' or another" : "one") + " of " + names);

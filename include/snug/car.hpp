@@ -1,4 +1,4 @@
-// Car: the dimensions that decide how a car parks, checked, and the cars of the paper.
+// Car: the dimensions that decide how a car parks, checked, and the cars that are known by name.
 #pragma once
 
 #include <optional>
@@ -83,9 +83,22 @@ double steer_for_wall_to_wall(const Outline& outline, double wheelbase, double d
 
 /// The five cars of the paper's table 1, in its order.
 std::vector<Car> catalogue();
-/// The catalogue's car of that name.
+
+/// A car whose numbers are a data sheet's. Its steering limit is what gives the sheet's turning circle from curb to curb; a
+/// circle of which the sheet does not say which it is counts as that.
+struct SheetCar {
+    Car car;
+    std::string sheet;   ///< publisher and title of what has the lengths
+    std::string circle;  ///< the turning circle as printed, and which circle that is, as far as it is said
+    std::string
+        source;  ///< where the sheet and the circle were read, and what is special; lines, the last one without an end
+};
+/// Cars of public data sheets, sorted by name; none of them is in the catalogue.
+std::vector<SheetCar> sheet_cars();
+
+/// The car of that name, of the catalogue or of a data sheet.
 std::optional<Car> find_car(std::string_view name);
-/// The catalogue's name that was probably meant by what was typed; empty when none comes near.
+/// The name of such a car that was probably meant by what was typed; empty when none comes near.
 std::optional<std::string> nearest_car_name(std::string_view typed);
 
 }  // namespace snug

@@ -165,6 +165,11 @@ std::optional<Car> find_car(std::string_view name) {
             return std::move(car);
         }
     }
+    for (SheetCar& known : sheet_cars()) {
+        if (known.car.name() == name) {
+            return std::move(known.car);
+        }
+    }
     return std::nullopt;
 }
 
@@ -172,6 +177,9 @@ std::optional<std::string> nearest_car_name(std::string_view typed) {
     std::vector<std::string> names;
     for (const Car& car : catalogue()) {
         names.push_back(car.name());
+    }
+    for (const SheetCar& known : sheet_cars()) {
+        names.push_back(known.car.name());
     }
     return nearest_word(typed, names);
 }

@@ -132,8 +132,15 @@ TEST(CarFile, SlipsAreToldForWhatTheyAre) {
     expect(lengths + R"(, "max_steer": 0.6, "length": 4.5)", {"\"length\"", "agree", "4.4"});
 }
 
-TEST(CarFile, EveryCarOfTheCatalogueReadsBackTheSame) {
-    for (const Car& car : catalogue()) {
+/// The paper's cars and those of data sheets, as `snug cars` prints them.
+std::vector<Car> known_cars() {
+    std::vector<Car> cars = catalogue();
+    for (const SheetCar& known : sheet_cars()) cars.push_back(known.car);
+    return cars;
+}
+
+TEST(CarFile, EveryKnownCarReadsBackTheSame) {
+    for (const Car& car : known_cars()) {
         const std::string text = write(as_json(car));
         const Car back = car_from_json(text, "");
         EXPECT_EQ(write(as_json(back)), text);
@@ -198,13 +205,36 @@ TEST(Cars, TheCatalogueComesAsTextJsonAndCsv) {
     const Result csv = run("cars --format csv");
     EXPECT_EQ(text.exit_code + json.exit_code + csv.exit_code, 0);
     const Json cars = Json::parse(json.out);
-    ASSERT_EQ(cars.size(), catalogue().size());
+    ASSERT_EQ(cars.size(), known_cars().size());
     for (const Json& car : cars) {
         EXPECT_EQ(write(as_json(car_from_json(car.dump(), "car"))), write(car));
         EXPECT_NE(text.out.find(car.at("name").get<std::string>()), std::string::npos);
         EXPECT_NE(csv.out.find(car.at("name").get<std::string>() + ","), std::string::npos);
     }
     EXPECT_EQ(csv.out.rfind("name,width,front,rear,wheelbase,max_steer,", 0), 0U);
+}
+
+TEST(Cars, ThePapersComeFirstAndTheOthersWithTheirSheets) {
+    const std::string text = run("cars").out;
+    const std::size_t paper = text.find("\nof the paper:\n");
+    const std::size_t others = text.find("\nof data sheets:\n");
+    const std::size_t sheets = text.find("\nSheets, and the circles");
+    ASSERT_TRUE(paper < others && others < sheets && sheets != text.npos) << text;
+    for (const Car& car : catalogue()) {
+        const std::size_t at = text.find("\n" + car.name() + " ");
+        EXPECT_TRUE(paper < at && at < others) << car.name();
+        EXPECT_EQ(run("cars " + car.name()).out.find("sheet"), std::string::npos) << car.name();
+    }
+    for (const SheetCar& known : sheet_cars()) {
+        const std::size_t at = text.find("\n" + known.car.name() + " ");
+        EXPECT_TRUE(others < at && at < sheets) << known.car.name();
+        const std::string line = text.substr(text.find("\n" + known.car.name() + " ", sheets) + 1);
+        EXPECT_EQ(line.substr(0, line.find('\n')).find(known.sheet) + known.sheet.size(), line.find('\n'));
+        const std::string detail = run("cars " + known.car.name()).out;
+        EXPECT_NE(detail.find(known.sheet), std::string::npos) << detail;
+        EXPECT_NE(detail.find(known.circle), std::string::npos) << detail;
+        EXPECT_NE(detail.find(known.source.substr(known.source.rfind('\n') + 1) + "\n"), std::string::npos) << detail;
+    }
 }
 
 TEST(Cars, AFilesTextShowsWhatWasUnderstood) {
@@ -223,10 +253,11 @@ TEST(Cars, AFilesTextShowsWhatWasUnderstood) {
 
 TEST(Cars, OneCarIsACarFile) {
     const Folder folder;
-    for (const Car& car : catalogue()) {
+    for (const Car& car : known_cars()) {
         const std::string file = folder.file(car.name() + ".json");
         ASSERT_EQ(run("cars --format json -o " + file + " " + car.name()).exit_code, 0);
-        EXPECT_EQ(run("cars " + file).out, run("cars " + car.name()).out);
+        // A file does not know which sheet it is from.
+        EXPECT_EQ(run("cars " + car.name()).out.rfind(run("cars " + file).out, 0), 0U);
         EXPECT_EQ(run("cars --format json " + file).out, contents(file));
         EXPECT_EQ(write(as_json(read_car(file))), write(as_json(car)));
     }

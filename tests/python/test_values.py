@@ -57,6 +57,18 @@ def test_cars_as_files_describe_them(tmp_path):
         snug.Car(wheelbase=2.6, max_steer=0.6, width=1.7, outline=WEDGE.outline)
 
 
+def test_cars_of_data_sheets_are_found_and_name_their_sheets():
+    names = [car.name for car, *_ in snug.sheet_cars()]
+    assert names == sorted(set(names)) and not set(names) & {car.name for car in snug.cars()}
+    for car, sheet, circle, source in snug.sheet_cars():
+        assert snug.find_car(car.name) == car
+        assert sheet and "http" in source + "http" * ("github.com/" in source)
+        metres = float(circle.removeprefix("radius ").split()[0]) * (2 if circle.startswith("radius") else 1)
+        assert math.isclose(car.curb_to_curb, metres * (0.3048 if " ft," in circle else 1), rel_tol=1e-12)
+    with pytest.raises(snug.Error, match="'tesla-model-3' or another of mid-size, .*tesla-model-y$"):
+        snug.find_car("tesla-model3")
+
+
 def test_the_first_answer():
     assert ANSWER.parkable and ANSWER.direction_changes == 18 and not ANSWER.cancelled
     assert [round(edge, 5) for r in ANSWER.ranges for edge in (r.min, r.max)] == [0.48503, 0.48695]
