@@ -162,7 +162,7 @@ inline const std::string neighbours_meaning =
 /// Of min_slot() and min_slots(), which read them alike.
 inline const std::string min_slot_parameters =
     "min_range=0.0, " + conditions + ", " + neighbour_parameters +
-    ", longest=4.0, widest=4.0, precision=0.001, resolution=0.0, progress=None)";
+    ", longest=4.0, widest=4.0, precision=0.001, resolution=0.0, prove=False, progress=None)";
 inline const std::string min_slot_meaning =
     "With 'max-steer', full steering, the slot is the smallest for which headings over a range at least `min_range` "
     "wide\n"
@@ -170,7 +170,9 @@ inline const std::string min_slot_meaning =
     "`resolution`\n"
     "of the lattice lets them [m], 0 a two-thousandth of the car's length. `longest` and `widest` are how much more "
     "than\n"
-    "what holds the car is looked at [m].\n";
+    "what holds the car is looked at [m]. With `prove`, full steering shows that no smaller size parks, or says which "
+    "it "
+    "leaves open.\n";
 
 /// One call's arguments.
 class Arguments {
@@ -227,6 +229,7 @@ private:
 inline MinSlotOptions min_slot_options(const Arguments& given) {
     MinSlotOptions options;
     given.read("min_range", options.min_range);
+    given.read("prove", options.prove);
     given.read_conditions(options);
     given.read_neighbours(options);
     given.read("longest", options.longest);

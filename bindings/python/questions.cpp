@@ -268,7 +268,15 @@ void define_min_slot(py::module_& module) {
             "width", [](const MinSlot& s) { return s.width; }, "[m], likewise.")
         .field(
             "lower", [](const MinSlot& s) { return s.lower; },
-            "Of what was asked for: 'fewest' proves that nothing smaller will do [m].")
+            "Of what was asked for: nothing smaller will do, where that is proved ('fewest', `prove`) [m].")
+        .field(
+            "open",
+            [](const MinSlot& s) {
+                py::list open;
+                for (const Sizes& sizes : s.open) open.append(py::make_tuple(sizes.min, sizes.max));
+                return py::tuple(open);
+            },
+            "With `prove`: the sizes above `lower` that park as well, or of which nothing is known, as (min, max) [m].")
         .field(
             "entry_heading", [](const MinSlot& s) { return s.entry_heading; },
             "From which the car parks in it with full steering [rad], or None.")
