@@ -56,8 +56,8 @@ std::string size_proof(Sought sought, const MinSlot& row) {
     std::string text = "Proved for " + std::string(to_string(given)) + ' ' + fixed(*row.size(given), 3) + ", " +
                        changes(row.max_changes) + ": no smaller slot will do";
     if (row.open.empty()) return text + ".\n";
-    return text + ", but of " + fixed(std::ceil(open * 1e6), 0) + " micrometres from " + fixed(row.lower, 6) +
-           " on\nnothing is known.\n";
+    return text + ", but of\n" + fixed(std::ceil(open * 1e6) * 1e-6, 6) + " m from " + fixed(row.lower, 6) +
+           " on nothing is known.\n";
 }
 
 std::string one_slot_text(const OneSlot& slot) {
