@@ -85,6 +85,10 @@ struct Asked {
                                        {{"max-steer", Planner::max_steer},
                                         {"fewest", Planner::fewest},
                                         {"stepping", Planner::stepping}})),
+          proof(options.choice<bool>("--proof", "PROOF",
+                                     "none (default); smaller: that no smaller slot will do,\nor which sizes are left "
+                                     "open (max-steer).",
+                                     {{"none", false}, {"smaller", true}})),
           resolution(resolution_option(options, "two-thousandth")),
           length_step(options.number("--length-step", "M", "stepping: between the lengths tried [m] (0.01).", step)),
           width_step(options.number("--width-step", "M", "stepping: between the widths tried [m] (0.01).", step)),
@@ -112,6 +116,7 @@ struct Asked {
     ParkedOptions parked;
     DrivingOptions driving;
     Option<Planner> planner;
+    Option<bool> proof;
     Option<double> resolution;
     Option<double> length_step;
     Option<double> width_step;
@@ -263,6 +268,8 @@ MinSlotQuestion understood(const Asked& asked, Planner planner, Sought sought) {
         (options.front_setback > 0.0 ? 0.0 : 1.0) + (options.rear_setback > 0.0 ? 0.0 : 1.0);
     options.longest = std::max(0.0, max_length - car.length() - neighbours_touched * options.driving.clearance);
     if (asked.threads) question.threads = *asked.threads;
+    belongs_to(asked.proof, planner == Planner::max_steer, "max-steer");
+    options.prove = asked.proof.value_or(false);
     belongs_to(asked.resolution, planner == Planner::fewest, "fewest");
     options.resolution = asked.resolution.value_or(0.0);
     if (planner == Planner::fewest && asked.min_range)
@@ -312,6 +319,8 @@ public:
         if (format_ == Format::text)
             text_ += fewest() ? fewest_slot_table(sought(), rows)
                               : min_slot_table(sought(), rows, question_.max_changes.size());
+        if (question_.options.prove)
+            for (const MinSlot& row : rows) proofs_ += size_proof(sought(), row);
         for (const MinSlot& row : rows) {
             any_ = any_ || row.size(sought());
             if (!row.size(sought()) && !row.cancelled) without_.push_back(row);
@@ -325,7 +334,7 @@ public:
     int finish() {
         if (format_ == Format::json) text_ += json_.end();
         if (format_ == Format::text && !fewest()) {
-            text_ += "Rounded up to millimetres; - where no slot will do.\n";
+            text_ += "Rounded up to millimetres; - where no slot will do.\n" + proofs_;
             text_ += question_.stepping ? "" : other_maneuvers(question_, without_);
         }
         flush();
@@ -371,6 +380,7 @@ private:
     MinSlotJson json_;
     Csv csv_;
     std::string text_;              ///< not yet written
+    std::string proofs_;            ///< what is proved of smaller slots
     std::vector<MinSlot> without_;  ///< rows without an answer
     bool any_ = false;              ///< some row has an answer
     bool cancelled_ = false;        ///< some row is not decided

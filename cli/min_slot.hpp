@@ -26,6 +26,8 @@ struct MinSlotQuestion {
 std::string min_slot_table(Sought sought, const std::vector<MinSlot>& rows, std::size_t counts);
 /// Those over all maneuvers: between which sizes.
 std::string fewest_slot_table(Sought sought, const std::vector<MinSlot>& rows);
+/// What is proved of the slots smaller than one found with full steering.
+std::string size_proof(Sought sought, const MinSlot& row);
 
 /// How the slots asked for are found, as --strategy names it.
 inline std::string_view strategy_name(const MinSlotQuestion& question) {

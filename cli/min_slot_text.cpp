@@ -49,6 +49,17 @@ std::string fewest_slot_table(Sought sought, const std::vector<MinSlot>& rows) {
     return table(lines, "rrrr");
 }
 
+std::string size_proof(Sought sought, const MinSlot& row) {
+    const Sought given = sought == Sought::length ? Sought::width : Sought::length;
+    double open = 0.0;
+    for (const Sizes& sizes : row.open) open += sizes.max - sizes.min;
+    std::string text = "Proved for " + std::string(to_string(given)) + ' ' + fixed(*row.size(given), 3) + ", " +
+                       changes(row.max_changes) + ": no smaller slot will do";
+    if (row.open.empty()) return text + ".\n";
+    return text + ", but of\n" + fixed(std::ceil(open * 1e6) * 1e-6, 6) + " m from " + fixed(row.lower, 6) +
+           " on nothing is known.\n";
+}
+
 std::string one_slot_text(const OneSlot& slot) {
     std::string text =
         name(slot.car) + (slot.changes ? " fits" : " does not fit") + " the " + fixed(slot.length, 3) + " x " +

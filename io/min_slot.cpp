@@ -17,6 +17,14 @@ Json as_json(const MinSlot& slot, const MinSlotOptions& options) {
     } else {
         json["entry_heading"] = or_null(slot.entry_heading);
     }
+    if (options.prove && options.strategy == Strategy::max_steer) {
+        const std::string sought(to_string(options.sought));
+        json[sought + "_lower"] = slot.lower;
+        Json open = Json::array();
+        for (const Sizes& sizes : slot.open)
+            open.push_back({{sought + "_min", sizes.min}, {sought + "_max", sizes.max}});
+        json["open"] = open;
+    }
     return json;
 }
 

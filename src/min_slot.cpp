@@ -31,8 +31,6 @@ void check_fewest(const MinSlotOptions& options) {
 MinSlot min_slot(const Car& car, double given, const MinSlotOptions& options) {
     detail::check(options, given);
     if (options.strategy == Strategy::max_steer) {
-        if (options.prove && options.min_range > 0.0)
-            throw Error("a proof is asked for with a smallest range of headings, but it is about all; leave one out");
         MinSlot found = detail::smallest_slots(car, given, {options.max_changes}, options).front();
         if (options.prove && !found.cancelled) detail::prove_smaller(car, given, options, found);
         return found;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "contact/sized_slot.hpp"
+#include "full_steering/proof/sizes.hpp"
 #include "full_steering/smallest_slot.hpp"
 #include "sentences/check.hpp"
 #include "snug/limits.hpp"
@@ -115,8 +116,13 @@ std::vector<MinSlot> min_slots(const Car& car, const std::vector<double>& given,
                       [&](double size, const std::vector<int>& rising, const Slots& neighbours, Progress& progress) {
                           MinSlotOptions each = options;
                           each.progress = [&](double) { return progress.finished(0); };
-                          return fewest ? of_all_maneuvers(car, size, rising, each)
-                                        : detail::smallest_slots(car, size, rising, each, neighbours);
+                          if (fewest) return of_all_maneuvers(car, size, rising, each);
+                          Slots slots = detail::smallest_slots(car, size, rising, each, neighbours);
+                          for (MinSlot& slot : slots) {
+                              each.max_changes = slot.max_changes;
+                              if (each.prove && !slot.cancelled) detail::prove_smaller(car, size, each, slot);
+                          }
+                          return slots;
                       });
 }
 

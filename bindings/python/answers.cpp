@@ -120,6 +120,7 @@ std::string json_text(const AskedMinSlot& slot) {
     MinSlotOptions options;
     options.strategy = slot.strategy;
     options.sought = slot.sought;
+    options.prove = slot.prove;
     ListInParts list;
     std::string text =
         list.begin({{"schema", 1}, {"car", as_json(*slot.car)}, {"strategy", to_string(slot.strategy)}}, "rows");

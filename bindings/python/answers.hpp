@@ -42,6 +42,7 @@ private:
 struct AskedMinSlot : MinSlot {
     std::optional<Car> car;
     Strategy strategy = Strategy::max_steer;
+    bool prove = false;
     Sought sought = Sought::length;
 };
 

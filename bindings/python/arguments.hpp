@@ -104,6 +104,10 @@ struct IsVector : std::false_type {};
 template <class T>
 struct IsVector<std::vector<T>> : std::true_type {};
 
+/// In Python a tuple of its two numbers.
+template <class T>
+constexpr bool is_pair = std::is_same_v<T, Headings> || std::is_same_v<T, Sizes>;
+
 template <class T>
 T as(py::handle value, const std::string& name) {
     if constexpr (std::is_same_v<T, MaybeBaseline>) {
@@ -117,7 +121,7 @@ T as(py::handle value, const std::string& name) {
         for (const py::handle one : value)
             all.push_back(as<typename T::value_type>(one, name + "[" + std::to_string(all.size()) + "]"));
         return all;
-    } else if constexpr (std::is_same_v<T, Headings>) {
+    } else if constexpr (is_pair<T>) {
         const Point ends = as_point(value, name);
         return {ends.x, ends.y};
     } else if constexpr (std::is_same_v<T, std::size_t>) {
@@ -218,7 +222,8 @@ inline const std::string neighbours_meaning =
 /// Of min_slot() and min_slots(), which read them alike.
 inline const std::string min_slot_parameters =
     "min_range: float = 0.0, " + conditions + ", " + neighbour_parameters +
-    ", longest: float = 4.0, widest: float = 4.0, precision: float = 0.001, resolution: float = 0.0, " +
+    ", longest: float = 4.0, widest: float = 4.0, precision: float = 0.001, resolution: float = 0.0, "
+    "prove: bool = False, " +
     progress_parameter + ")";
 inline const std::string min_slot_meaning =
     "With 'max-steer', full steering, the slot is the smallest for which headings over a range at least `min_range` "
@@ -227,7 +232,9 @@ inline const std::string min_slot_meaning =
     "`resolution`\n"
     "of the lattice lets them [m], 0 a two-thousandth of the car's length. `longest` and `widest` are how much more "
     "than\n"
-    "what holds the car is looked at [m].\n";
+    "what holds the car is looked at [m]. With `prove`, full steering shows that no smaller size parks, or says which "
+    "it "
+    "leaves open.\n";
 
 /// One call's arguments.
 class Arguments {
@@ -285,6 +292,7 @@ private:
 inline MinSlotOptions min_slot_options(const Arguments& given) {
     MinSlotOptions options;
     given.read("min_range", options.min_range);
+    given.read("prove", options.prove);
     given.read_conditions(options);
     given.read_neighbours(options);
     given.read("longest", options.longest);

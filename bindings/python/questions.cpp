@@ -296,12 +296,16 @@ void define_min_slot(py::module_& module) {
                "[m]; what was asked for is None where nothing within the limits is found to do.")
         .field("width", &AskedMinSlot::width, "[m], likewise.")
         .field("lower", &AskedMinSlot::lower,
-               "Of what was asked for: 'fewest' proves that nothing smaller will do [m].")
+               "Of what was asked for: nothing smaller will do, where that is proved ('fewest', `prove`) [m].")
+        .field(
+            "open", &AskedMinSlot::open,
+            "With `prove`: the sizes above `lower` that park as well, or of which nothing is known, as (min, max) [m].")
         .field("entry_heading", &AskedMinSlot::entry_heading,
                "From which the car parks in it with full steering [rad], or None.")
         .field("cancelled", &AskedMinSlot::cancelled, "The progress callback gave up.")
         .field("car", &AskedMinSlot::car, "The car asked about.", "Car")
         .field("strategy", &AskedMinSlot::strategy, "As asked.")
+        .field("prove", &AskedMinSlot::prove, "As asked.")
         .field("sought", &AskedMinSlot::sought, "What was asked for.")
         .said([](const AskedMinSlot& s) {
             const auto size = [](const std::optional<double>& metres) { return metres ? few_digits(*metres) : "-"; };
@@ -337,6 +341,7 @@ void define_min_slot(py::module_& module) {
                    interruptible(progress, [&] { return min_slot(car, width ? *width : *length, options); });
                asked.car = car;
                asked.strategy = options.strategy;
+               asked.prove = options.prove;
                asked.sought = options.sought;
                return asked;
            });

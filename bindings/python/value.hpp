@@ -17,7 +17,7 @@ py::object shown(const T& value) {
         py::list all;
         for (const auto& one : value) all.append(shown(one));
         return py::tuple(all);
-    } else if constexpr (std::is_same_v<T, Headings>) {
+    } else if constexpr (is_pair<T>) {
         return py::make_tuple(value.min, value.max);
     } else if constexpr (std::is_enum_v<T>) {
         return py::str(std::string(word(value)));
@@ -39,7 +39,7 @@ std::string type_name() {
         return type_name<typename T::value_type>() + " | None";
     } else if constexpr (IsVector<T>::value) {
         return "tuple[" + type_name<typename T::value_type>() + ", ...]";
-    } else if constexpr (std::is_same_v<T, Headings>) {
+    } else if constexpr (is_pair<T>) {
         return "tuple[float, float]";
     } else if constexpr (std::is_enum_v<T>) {
         return literal<T>();

@@ -4,6 +4,7 @@
 
 #include "contact/entering.hpp"
 #include "sentences/check.hpp"
+#include "snug/error.hpp"
 #include "snug/limits.hpp"
 
 namespace snug::detail {
@@ -13,6 +14,8 @@ void check(const MinSlotOptions& options, double given) {
     check_between(options.sought == Sought::length ? "slot width" : "slot length", given, limits::shortest,
                   limits::longest, " m");
     check_between("smallest range", options.min_range, 0.0, limits::quarter_turn, " rad");
+    if (options.prove && options.min_range > 0.0)
+        throw Error("a proof is asked for with a smallest range of headings, but it is about all; leave one out");
     check_between("extra length to search", options.longest, 0.0, limits::longest, " m");
     check_between("extra width to search", options.widest, 0.0, limits::longest, " m");
     const double deepest = options.sought == Sought::length ? given : limits::longest;
