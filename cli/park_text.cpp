@@ -231,8 +231,8 @@ std::string park_text(const ParkQuestion& question, const RollingAnswer& answer)
     const std::string standing =
         answer.standing_changes ? changes(*answer.standing_changes) + " would do" : "no way is known either";
     if (!answer.maneuver)
-        return name(question.car) + " has no known way " + into_what(question) +
-               "\nthat steers only while it rolls, which proves nothing; with steering at\nstandstill " + standing +
+        return name(question.car) + " may park " + into_what(question) +
+               ", but no\nway is known that steers only while it rolls; with steering at standstill\n" + standing +
                ".\n";
     const RollingManeuver& maneuver = *answer.maneuver;
     Rows rows = {{"driven", metres(maneuver.length()) + " in " + fixed(trajectory(maneuver).seconds(), 0) + " s"}};

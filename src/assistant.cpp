@@ -115,6 +115,7 @@ Assistant::Assistant(const Car& car, const Place& place, ParkMap map, const Assi
 std::optional<Maneuver> Assistant::plan(const Pose& measured) const { return map_.maneuver(measured); }
 
 Instruction Assistant::next(const Pose& measured, std::optional<Direction> driven) const {
+    if (std::abs(measured.heading) > limits::farthest) return {};  // no heading
     const MapBounds bounds = map_.at(measured);
     if (bounds.where == MapBounds::outside) return {};
     if (bounds.where == MapBounds::free && bounds.direction_changes == 0 && !bounds.first)

@@ -57,8 +57,8 @@ public:
     /// the map knows no way, as when the car stands closer to something than the margin (but does not overlap it): an arc on which
     /// at least half of the distance is left that the car has (a corner swings out before the car is away), or failing that one that
     /// ends by 1 cm or more farther away. Where the pose measured
-    /// overlaps something the way out is the arc of up to 1 m on which no overlap grows and nothing else is met, and at whose end
-    /// the least is left; the shortest, where nothing is. A pose that is no number or outside of the map has no way: stuck.
+    /// overlaps something the way out is the arc of up to 1 m on which no overlap grows (looked at every 2 cm) and at whose end the
+    /// least is left, the shortest of those; stuck where there is none. So is a pose that is no number or outside of the map.
     [[nodiscard]] Instruction next(const Pose& measured, std::optional<Direction> driven = {}) const;
     /// All of the way, as next() would give it move by move; empty when the car is parked or stuck.
     [[nodiscard]] std::optional<Maneuver> plan(const Pose& measured) const;

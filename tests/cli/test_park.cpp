@@ -74,7 +74,9 @@ TEST(ParkCommand, SteersOnlyWhileItRolls) {
     EXPECT_EQ(timed["seconds"], json["maneuver"]["seconds"]);
     for (const Json& point : timed["trajectory"]) {
         EXPECT_LE(std::abs(point["steering_rate"].get<double>()), 0.5 + 1e-9);
-        if (point["speed"] == 0.0) EXPECT_EQ(point["steering_rate"], 0.0);
+        if (point["speed"] == 0.0) {
+            EXPECT_EQ(point["steering_rate"], 0.0);
+        }
     }
     EXPECT_NE(run(bay + "--steer moving").out.find("steers only while it rolls"), std::string::npos);
 }

@@ -145,7 +145,8 @@ TEST(Assistant, HasNoAnswerToPosesThatAreNoNumbers) {
 
 TEST(Assistant, LeadsOutOfWhatItOverlapsByMeasurement) {
     const Assistant assistant(zoe(), usual_street());
-    const Pose deep = {2.0, 1.771 / 2.0 - 0.02, 0.0};  // 2 cm in the front neighbour
+    // Its front right corner is 2 cm in the front neighbour.
+    const Pose deep = {2.0, 3.427 * std::sin(0.15) + 1.771 / 2.0 * std::cos(0.15) - 0.02, -0.15};
     const Instruction told = assistant.next(deep);
     ASSERT_EQ(told.what, Instruction::overlap);
     EXPECT_LE(depth_in_place(zoe(), street_place(usual_street()), told.moves.back().end), 0.0);
