@@ -62,7 +62,7 @@ def test_cars_of_data_sheets_are_found_and_name_their_sheets():
     assert names == sorted(set(names)) and not set(names) & {car.name for car in snug.cars()}
     for car, sheet, circle, source in snug.sheet_cars():
         assert snug.find_car(car.name) == car
-        assert sheet and "http" in source + "http" * ("github.com/" in source)
+        assert sheet and ("https://" in source or "github.com/" in source)
         metres = float(circle.removeprefix("radius ").split()[0]) * (2 if circle.startswith("radius") else 1)
         assert math.isclose(car.curb_to_curb, metres * (0.3048 if " ft," in circle else 1), rel_tol=1e-12)
     with pytest.raises(snug.Error, match="'tesla-model-3' or another of mid-size, .*tesla-model-y$"):
