@@ -275,8 +275,8 @@ std::string leave_text(const EntryQuestion& question, int max_changes, const Ans
     if (!answer.maneuver) return no_way(question, "leave", max_changes, answer);
     return name(question.car) + " leaves " + slot_words(question.slot) + "\nwith " +
            changes(*answer.direction_changes) + ".\n" + moves(question, *answer.maneuver, "the way is free") +
-           "\nOf the ways out with as few changes one that keeps its distance, with few pieces, and\n"
-           "with full or straight steering where that costs nothing.\n" +
+           "\nOf the ways out with as few changes one that keeps its distance, with few\n"
+           "pieces, and with full or straight steering where that costs nothing.\n" +
            proof(answer);
 }
 

@@ -74,6 +74,34 @@ TEST(Park, PolishedManeuversAndAlternativesParkWithoutTouchingAnything) {
     EXPECT_GE(found, count / 3);
 }
 
+/// In nearly all places the bounds meet; those where they do not are listed.
+TEST(Park, BoundsMeetInNearlyAllRandomPlaces) {
+    const int count = snug::test::sample(8, 2000);
+    int asked_about = 0, met = 0, impossible = 0;
+    for (int i = 0; i < count; ++i) {
+        const Case asked = random_case(static_cast<std::uint64_t>(800000 + i));
+        if (depth_in_place(asked.car, asked.place, asked.start) > -1e-6 || outside_region(asked.place, asked.start) > 0)
+            continue;
+        snug::ParkOptions options;
+        options.roomiest = false;
+        options.max_changes = 30;
+        const snug::ParkAnswer answer = park(asked.car, asked.place, asked.start, options);
+        ++asked_about;
+        met += answer.proved;
+        impossible += answer.impossible;
+        if (!answer.proved)
+            std::printf("open: case %d, %d to %d: %s\n", i, answer.lower_bound, answer.direction_changes.value_or(-1),
+                        asked.described.c_str());
+        std::fflush(stdout);
+    }
+    std::printf("%d of %d proved, %d of them impossible\n", met, asked_about, impossible);
+    if (count == 2000) {
+        EXPECT_GE(met, 0.95 * asked_about);
+    } else {
+        EXPECT_GE(met, 0.5 * asked_about);
+    }
+}
+
 /// A car that stands parked has nothing to do, wherever and however aslant it stands.
 TEST(Park, ACarThatStandsParkedStays) {
     const int count = snug::test::sample(20, 1000);
