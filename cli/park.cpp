@@ -202,7 +202,8 @@ Action rolling_action(const ParkQuestion& question, const ParkFiles& files) {
         if (files.route) write_file("--waypoints", files.route->path, written(*files.route, arcs));
         if (files.timed) {
             const RollingManeuver way = answer.maneuver.value_or(RollingManeuver{question.car, {}});
-            write_file("--trajectory", files.timed->path, written(*files.timed, trajectory(way, files.timed->limits)));
+            write_file("--trajectory", files.timed->path,
+                       written(*files.timed, rolling_trajectory(way, files.timed->limits)));
         }
         if (files.picture) {
             ParkAnswer shown;

@@ -235,7 +235,8 @@ std::string park_text(const ParkQuestion& question, const RollingAnswer& answer)
                ", but no\nway is known that steers only while it rolls; with steering at standstill\n" + standing +
                ".\n";
     const RollingManeuver& maneuver = *answer.maneuver;
-    Rows rows = {{"driven", metres(maneuver.length()) + " in " + fixed(trajectory(maneuver).seconds(), 0) + " s"}};
+    Rows rows = {
+        {"driven", metres(maneuver.length()) + " in " + fixed(rolling_trajectory(maneuver).seconds(), 0) + " s"}};
     const Pose goal = maneuver.pieces.empty() ? question.scene.start : maneuver.pieces.back().end;
     for (std::vector<std::string>& row : distances(question, goal)) rows.push_back(std::move(row));
     return name(question.car) + " parks " + into_what(question) + "\nwith " + changes(maneuver.direction_changes()) +

@@ -164,7 +164,7 @@ Json with_rolling(Json json, const Pose& start, const RollingAnswer& answer) {
                          {"end", as_json(piece.end)}});
     json["maneuver"] = {{"direction_changes", maneuver.direction_changes()},
                         {"length", maneuver.length()},
-                        {"seconds", trajectory(maneuver).seconds()},
+                        {"seconds", rolling_trajectory(maneuver).seconds()},
                         {"start", as_json(start)},
                         {"goal", as_json(maneuver.pieces.empty() ? start : maneuver.pieces.back().end)},
                         {"moves", std::move(moves)}};

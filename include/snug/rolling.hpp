@@ -49,7 +49,7 @@ struct RollingManeuver {
 /// rate with the wheels straight, rate / (wheelbase x sharpness): from there it falls with the square of the steering angle's
 /// cosine, so the rate is kept everywhere. It stops only where the direction changes. Throws Error as trajectory() of a
 /// Maneuver does, and where a piece is so sharp that it would take less than 0.001 m/s.
-Trajectory trajectory(const RollingManeuver& maneuver, const MotionLimits& limits = {});
+Trajectory rolling_trajectory(const RollingManeuver& maneuver, const MotionLimits& limits = {});
 
 struct RollingOptions {
     double clearance = 0.0;  ///< grows the frame for contacts [m]

@@ -78,7 +78,7 @@ Maneuver RollingManeuver::in_arcs(double most) const {
     return arcs;
 }
 
-Trajectory trajectory(const RollingManeuver& maneuver, const MotionLimits& limits) {
+Trajectory rolling_trajectory(const RollingManeuver& maneuver, const MotionLimits& limits) {
     constexpr double slowest = 1e-3;
     const Car& car = maneuver.car;
     Trajectory timed = trajectory(Maneuver{car, {}}, limits);  // checks the limits

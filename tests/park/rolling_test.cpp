@@ -115,7 +115,7 @@ TEST(Rolling, TrajectoriesFollowTheWayAndKeepEveryLimit) {
         }
         const snug::MotionLimits limits = {random.between(0.2, 3.0), random.between(0.2, 2.0), random.between(0.2, 2.0),
                                            random.between(0.2, 2.0)};
-        const snug::Trajectory timed = trajectory(way, limits);
+        const snug::Trajectory timed = rolling_trajectory(way, limits);
         EXPECT_EQ(timed.standing_steers, 0);
         EXPECT_NEAR(timed.points.back().distance, way.length(), 1e-9);
         Pose pose = way.pieces[0].start;
