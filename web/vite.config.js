@@ -16,7 +16,7 @@ const minifiedGlue = {
 
 export default defineConfig({
     base: "./",
-    plugins: [minifiedGlue],
+    plugins: [minifiedGlue, { name: "no-indentation", transformIndexHtml: (html) => html.replace(/\n\s+/g, "\n") }],
     resolve: {
         alias: [
             { find: /^snug\.mjs/, replacement: `${solver}/snug.mjs` },
