@@ -215,8 +215,20 @@ LeavingQuestion parked_well(const LeavingQuestion& question, double heading, dou
     Problem& problem = better.ground.problem;
     problem.parked.heading = std::min(problem.parked.heading, heading);
     problem.parked.curb = std::min(problem.parked.curb, curb);
-    std::vector<Point> longer = problem.frame.corners();
-    for (Point& corner : longer) corner.x += corner.x > 0.0 ? apart : -apart;
+    if (!(apart > 0.0)) return better;
+    // Everything the frame covers while it is moved along the slot by so much either way: the corners behind the highest and
+    // the lowest one move back, those ahead forward, and these two both ways.
+    const std::vector<Point>& corners = problem.frame.corners();
+    std::vector<Point> longer;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point& at = corners[i];
+        const double before = at.y - corners[(i + corners.size() - 1) % corners.size()].y;
+        const double after = corners[(i + 1) % corners.size()].y - at.y;
+        // Counter-clockwise the front goes up.
+        if (before > 0.0 || after > 0.0) longer.push_back({at.x + apart, at.y});
+        if (before < 0.0 || after < 0.0) longer.push_back({at.x - apart, at.y});
+        if (before < 0.0 && after > 0.0) std::swap(longer[longer.size() - 2], longer.back());
+    }
     problem.frame = Outline(longer);
     return better;
 }
@@ -228,12 +240,12 @@ std::vector<Move> well_parked_moves(const LeavingQuestion& question, const Leavi
     constexpr double coarse = 6e-4;  // of the car's length
     constexpr double anywhere = std::numeric_limits<double>::infinity();
     const double half = 0.5 * std::max(0.0, question.ground.slot.length() - question.ground.car.length());
-    for (const double heading : {1e-3, 0.02, 0.05}) {
-        for (const double curb : {0.15, 0.3, anywhere}) {
+    for (const double heading : {1e-3, 0.05}) {
+        for (const double curb : {0.15, anywhere}) {
             std::vector<Move> moves =
                 roomiest_moves(parked_well(question, heading, curb, 0.0), bounds, coarse, 0, watch);
             if (moves.empty()) continue;  // the least that is asked
-            for (const double part : {0.8, 0.4, 0.15, 0.0}) {
+            for (const double part : {0.8, 0.4, 0.15}) {
                 std::vector<Move> apart =
                     roomiest_moves(parked_well(question, heading, curb, part * half), bounds, coarse, 4, watch);
                 if (good(apart)) return apart;
