@@ -156,8 +156,9 @@ void expect_every_car_in_the_table() {
     EXPECT_EQ(text.find("nan"), text.npos);
     for (const Car& car : catalogue()) EXPECT_NE(text.find(car.name()), text.npos) << car.name();
     const std::string results = test::contents(std::filesystem::path(SNUG_ROOT) / "docs/results.md");
-    EXPECT_NE(results.find(text.substr(text.find("| car"))), results.npos) << "docs/results.md shows another table than\n"
-                                                                         << text;
+    EXPECT_NE(results.find(text.substr(text.find("| car"))), results.npos)
+        << "docs/results.md shows another table than\n"
+        << text;
 }
 
 // One test, because each runs as a process of its own and computes everything.
