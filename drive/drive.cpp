@@ -7,6 +7,7 @@
 
 #include "drive/run.hpp"
 #include "sentences/check.hpp"
+#include "snug/contact.hpp"
 #include "snug/limits.hpp"
 #include "sweep/tasks.hpp"
 
@@ -93,8 +94,11 @@ DriveAnswer with(const Assistant& assistant, const Pose& start, int runs, const 
 
 DriveAnswer drive_runs(const Car& car, const Place& place, const Pose& start, const DriveOptions& options) {
     check(options);
-    if (nearest_distance(car, place, start) < -1e-9)
-        throw Error("the car meets an obstacle where it starts; start elsewhere");
+    const std::vector<PlaceGap> room = gaps(car, place, start);
+    for (std::size_t i = 0; i < room.size(); ++i)
+        if (room[i].distance < -1e-9)
+            throw Error("the car starts in contact with " + place.name_of(i) + ", " + spelled(-room[i].distance) +
+                        " m deep; move it away");
     const std::vector<Point>& region = place.region();
     for (std::size_t i = 0; i < region.size(); ++i) {
         const Point &a = region[i], &b = region[(i + 1) % region.size()];

@@ -53,7 +53,7 @@ TEST(Drive, RefusesWhatIsImpossible) {
     refused("--actuation 0.1", {"--actuation"});
     refused("--steer moving", {"--steer", "standing"});
     refused("--clearance 0.1", {"--clearance", "--margin"});
-    refused("--from 0.5,-1,0 --runs 1", {"meets an obstacle"});
+    refused("--from 0.5,-1,0 --runs 1", {"in contact with", "m deep"});
     refused("--speed 1", {"--speed", "--trajectory"});
 }
 
