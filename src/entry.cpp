@@ -17,7 +17,6 @@ namespace {
 using namespace detail;
 
 constexpr std::size_t most_proof_moves = 100'000;  ///< driven for a proof: some 0.1 s at most
-constexpr double narrow = 1e-9;   ///< as wide may be in all what is undecided of an answer that is proved [rad]
 constexpr double inward = 2e-13;  ///< edges are moved this far into their range, beyond any rounding [rad]
 
 /// The smallest count for which some stretch of headings is wide enough; empty if there is none.
@@ -120,7 +119,7 @@ struct Search {
         answer.lower_bound = smaller ? claimed : std::min(proved.proved_changes + 1, claimed);
         double open = 0.0;
         for (const Headings& part : answer.undecided) open += part.max - part.min;
-        if (open > narrow) {
+        if (open > narrow_in_all) {
             for (const Headings& part : answer.undecided) {
                 int from = 0;
                 for (const Sliver& sliver : proved.undecided)
