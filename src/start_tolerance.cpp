@@ -27,4 +27,12 @@ std::optional<StartTolerance> start_tolerance(const Car& car, const Slot& slot, 
     return tolerance;
 }
 
+std::optional<StartTolerance> start_tolerance(const Car& car, const Slot& slot, const Answer& answer,
+                                              const EntryOptions& options) {
+    if (!answer.direction_changes) return std::nullopt;
+    const HeadingRange* range = widest_range(answer.ranges, *answer.direction_changes);
+    if (range == nullptr) return std::nullopt;
+    return start_tolerance(car, slot, middle(*range), {*answer.direction_changes, options.driving, options.parked});
+}
+
 }  // namespace snug

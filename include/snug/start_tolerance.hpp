@@ -3,7 +3,9 @@
 
 #include <optional>
 
+#include "snug/answer.hpp"
 #include "snug/car.hpp"
+#include "snug/entry.hpp"
 #include "snug/max_steer.hpp"
 #include "snug/slot.hpp"
 
@@ -31,5 +33,9 @@ struct StartTolerance {
 /// Throws Error when an option is impossible.
 std::optional<StartTolerance> start_tolerance(const Car& car, const Slot& slot, double heading,
                                               const MaxSteerOptions& options = {});
+
+/// That of the maneuver entry() answers with, for its count; empty where the car does not park.
+std::optional<StartTolerance> start_tolerance(const Car& car, const Slot& slot, const Answer& answer,
+                                              const EntryOptions& options = {});
 
 }  // namespace snug
