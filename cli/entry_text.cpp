@@ -184,7 +184,7 @@ std::string result(const EntryQuestion& question, const Maneuver& maneuver) {
         const bool goes_on = (maneuver.moves.back().direction == Direction::forward) == (ahead > 0.0);
         rows.push_back({"centred", "after " + metres(std::abs(ahead)) + " straight " +
                                        (ahead > 0.0 ? "ahead" : "back") +
-                                       (goes_on ? ", with no change more" : ", with one change more")});
+                                       (goes_on ? ", no further change" : ", one change more")});
     }
     return "\nHow it ends\n" + table(rows, "ll");
 }

@@ -112,8 +112,8 @@ TEST(Entry, TellsHowFarTheStartMayBeOff) {
 /// Straight on in the same direction costs no change, back costs one.
 TEST(Entry, TellsWhatEndingInTheMiddleTakes) {
     const std::string mid = "entry --car mid-size --length 5.1 --width 2.2 ";
-    EXPECT_NE(run(mid).out.find("centred    after 0.193 m straight back, with one change more"), std::string::npos);
-    EXPECT_NE(run("entry --car renault-zoe --length 4.5 --width 2").out.find(" straight back, with no change more"),
+    EXPECT_NE(run(mid).out.find("centred    after 0.193 m straight back, one change more"), std::string::npos);
+    EXPECT_NE(run("entry --car renault-zoe --length 5.5 --width 2.2").out.find("straight ahead, no further change"),
               std::string::npos);
 }
 

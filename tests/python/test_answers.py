@@ -39,7 +39,7 @@ ASKED = {
     "leave": snug.leave(ZOE, snug.Slot(5, 2), PARKED, resolution=0.004),
     "min-slot": snug.min_slot(ZOE, width=2.0, max_changes=3),
     "least": snug.min_slot(ZOE, width=2.0, max_changes=1, strategy="fewest", resolution=0.02),
-    "road": snug.min_street(ZOE, BAY, max_changes=1, precision=0.1), "least bay": snug.min_street(ZOE, BAY, sought="width", precision=0.1),
+    "road": snug.min_street(ZOE, BAY, max_changes=1, resolution=0.05), "least bay": snug.min_street(ZOE, BAY, sought="width", resolution=0.05),
     "run": snug.max_steer(ZOE, SLOT, 0.486), "park": snug.park(ZOE, STREET), "yard": snug.park(ZOE, YARD),
     "contact": snug.first_contact(ZOE, SLOT, (0, 0.5, 0.2), "backward", 0.3), "free": snug.first_contact(ZOE, SLOT, (0, 50, 0), "forward", 0),
     "shortfall": snug.shortfall(ZOE, snug.Slot(3, 2)), "goals": snug.reversed_trials_by_goal(ZOE, snug.Slot(5.5, 2.2)),
@@ -69,8 +69,8 @@ def test_answers_are_values(name):
     ("leave", "leave --car renault-zoe --length 5 --width 2 --gap-front 0.3 --gap-curb 0.05 --resolution 0.004"),
     ("min-slot", "min-slot --car renault-zoe --width 2 --max-changes 3"),
     ("least", "min-slot --car renault-zoe --width 2 --max-changes 1 --strategy fewest --resolution 0.02"),
-    ("road", "min-slot --car renault-zoe --angle 90 --length 5 --width 2.5 --max-changes 1 --precision 0.1"),
-    ("least bay", "min-slot --car renault-zoe --angle 90 --length 5 --road 5.5 --max-changes 0 --precision 0.1"),
+    ("road", "min-slot --car renault-zoe --angle 90 --length 5 --width 2.5 --max-changes 1 --resolution 0.05"),
+    ("least bay", "min-slot --car renault-zoe --angle 90 --length 5 --road 5.5 --max-changes 0 --resolution 0.05"),
     ("park", "park --car renault-zoe --length 5.2 --width 2 --road 3.5"),
 ])
 def test_json_is_the_commands(name, arguments):
