@@ -115,9 +115,9 @@ private:
         const std::vector<CountedHeadings> ranges = looked_at(at, Find::all);
         std::optional<double> heading;
         double widest = 0.0;
-        for (const Stretch& stretch : stretches(ranges, changes_, std::max(options_.min_range, resolvable_range))) {
-            const double min = ranges[stretch.first].min;
-            const double width = ranges[stretch.last].max - min;
+        for (const Chain& chain : chains(ranges, changes_, std::max(options_.min_range, resolvable_range))) {
+            const double min = ranges[chain.first].min;
+            const double width = ranges[chain.last].max - min;
             if (heading && width < widest) continue;
             widest = width;
             heading = min + width / 2.0;
