@@ -26,9 +26,9 @@ void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found
     const auto leave_out = [&](std::size_t end) {
         for (; next < end; ++next) noise.push_back({found[next].min, found[next].max});
     };
-    for (const Stretch& stretch : stretches(found, never, resolvable_range)) {
-        leave_out(stretch.first);
-        for (; next <= stretch.last; ++next) {
+    for (const Chain& chain : chains(found, never, resolvable_range)) {
+        leave_out(chain.first);
+        for (; next <= chain.last; ++next) {
             const CountedHeadings& range = found[next];
             if (runs.changes_from(0.5 * (range.min + range.max), range.changes) == range.changes) {
                 left.push_back(range);
