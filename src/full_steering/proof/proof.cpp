@@ -104,7 +104,7 @@ private:
                     note_range(box, outcome.move);
                     break;
                 case Outcome::undecided:
-                    if (hopeless(box, outcome.failure.quantity)) {
+                    if (hopeless(box, outcome.failure)) {
                         note_undecided(box, outcome.move);
                     } else {
                         cut(box, outcome, driver_, problem_.radius, boxes_);
@@ -185,8 +185,8 @@ double steepest_parked(const ProofProblem& problem, bool above) {
     const double size = size_of(problem.frame) + size_of(problem.at_curb);
     const double slack = 1e-12 * size;
     double steepest = problem.parked_heading;
-    // The height changes by less than the sizes per radian: steps that cannot miss a fit.
-    const double speed = 2.0 * size;
+    // The height changes by no more than the sizes per radian: steps that cannot miss a fit.
+    const double speed = size;
     while (steepest > 0.0) {
         const double over = height(steepest) - problem.width - problem.width_error;
         if (over <= slack) break;
