@@ -224,7 +224,7 @@ bool none_parks(const ProofProblem& problem, int max_changes, std::size_t& moves
             cut(box, outcome, driver, problem.radius, boxes);
         } else {
             slivers += width;
-            none = slivers <= narrow_in_all;
+            none = slivers <= most_undecided;
         }
     }
     none = none && boxes.empty();

@@ -60,7 +60,7 @@ ProvedRanges prove_ranges(const ProofProblem& problem, int max_changes, Find fin
                           const Progress& progress = {}, std::size_t most_moves = 20'000'000);
 
 /// As wide may be in all what a proof leaves undecided. [rad]
-inline constexpr double narrow_in_all = 1e-9;
+inline constexpr double most_undecided = 1e-9;
 
 /// Does nothing park with at most max_changes, in any slot within the errors of the problem's dimensions, but for slivers?
 /// False where that is not so, or cannot be told with so many moves; they are taken from `moves_left`.
