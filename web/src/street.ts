@@ -422,12 +422,17 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         const turn = { ",": 1, "<": 1, ".": -1, ">": -1 }[event.key];
         const factor = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
         const pose = shown?.pose ?? scene.pose;
-        if (held === "car" && turn) handles.pose(tidyPose({ ...pose, heading: pose.heading + radians(turn * factor) }));
+        // Keys may come faster than frames: the next one goes on from here.
+        const put = (next: Pose) => {
+            shown = { pose: tidyPose(next), steer: 0 };
+            handles.pose(shown.pose);
+        };
+        if (held === "car" && turn) put({ ...pose, heading: pose.heading + radians(turn * factor) });
         else if (!step) return false;
         else if (held === "car") {
             const by = 0.05 * factor * view.fx; // as it looks on the screen
-            handles.pose(tidyPose({ ...pose, x: pose.x + step[0]! * by, y: pose.y + step[1]! * by }));
-        } else if (held === "turn") handles.pose(tidyPose({ ...pose, heading: pose.heading + radians((step[1]! || -step[0]!) * factor) }));
+            put({ ...pose, x: pose.x + step[0]! * by, y: pose.y + step[1]! * by });
+        } else if (held === "turn") put({ ...pose, heading: pose.heading + radians((step[1]! || -step[0]!) * factor) });
         else {
             const by = (step[0]! || step[1]!) * 0.01 * factor;
             if (held === "rear" || held === "front") handles.along(by, held === "front");
