@@ -301,14 +301,14 @@ function run(snug: Snug, module: WebAssembly.Module) {
 }
 
 async function begin() {
-    if (typeof WebAssembly !== "object") throw new Error("This page needs a browser with WebAssembly; any from 2022 on has it.");
+    if (typeof WebAssembly !== "object") throw new Error("This page needs a browser with WebAssembly; any from spring 2023 on has it.");
     let module: WebAssembly.Module;
     let snug: Snug;
     try {
         module = await compile();
         snug = await start(module);
     } catch (error) {
-        throw new Error(`The solver could not be started here: ${error instanceof Error ? error.message : String(error)}. Any browser from 2022 on runs it.`);
+        throw new Error(`The solver could not be started here: ${error instanceof Error ? error.message : String(error)}. Any browser from spring 2023 on runs it.`);
     }
     run(snug, module);
 }
