@@ -168,10 +168,9 @@ Instruction Assistant::short_way(const Pose& measured, std::optional<Direction> 
     // A car that has a way gains little beyond a metre; one beside a wall has to creep off it.
     const double farthest = most_changes == std::numeric_limits<int>::max() ? 2.5 : 1.0;  // [m]
     constexpr double least_gain = 0.01;  // of an arc that only leads away: else two of them could lead to and fro [m]
-    constexpr double touch = 1e-9;
     const double room = nearest(car_, place_, measured);
-    if (!(room >= -touch)) return way_out(measured);
-    const double kept = std::min(room, map_.clearance()) / 2.0 - touch;
+    if (!(room >= -limits::touching)) return way_out(measured);
+    const double kept = std::min(room, map_.clearance()) / 2.0 - limits::touching;
     Instruction best, away;
     double best_cost = std::numeric_limits<double>::infinity();
     double most_room = room + least_gain;

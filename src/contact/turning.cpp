@@ -211,12 +211,6 @@ void TurningFrame::see(const TurningShape& shape, int any_quarter) {
     }
 }
 
-TurningFrame turning_frame(const Problem& problem, const TurningShape& shape, double offset) {
-    TurningFrame frame(problem, shape, offset);
-    for (int quarter = 0; quarter < 4; ++quarter) frame.see(shape, quarter);
-    return frame;
-}
-
 FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
                         int quarter, double c, double s) {
     const Surroundings<double> around = {

@@ -173,9 +173,6 @@ private:
     std::array<bool, 4> seen_ = {};
 };
 
-/// All of it.
-TurningFrame turning_frame(const Problem& problem, const TurningShape& shape, double offset);
-
 /// Height of a corner at a heading of its quarter, the centre being at y.
 inline double height_of(const TurningCorner& corner, double y, double c, double s) {
     return y + corner.x * s + corner.y * c;

@@ -94,6 +94,7 @@ test(`${total} random questions have the same answers as the command's`, { timeo
         let expected = native(...words);
         if (name === "minSlot" && expected.rows) [expected] = expected.rows;
         delete expected.any_maneuver; // the command's own, where full steering cannot park
+        delete expected.start_tolerance; // and where it can
         const found = differences(answers[i], expected);
         if (found.length > 0) failures.push(`seed ${seed}, number ${i}: snug ${words.join(" ")}\n  ${found.slice(0, 4).join("\n  ")}`);
     });

@@ -59,6 +59,14 @@ struct Box {
           half(std::max(max - middle, middle - min) * upward + 1e-300) {}
 };
 
+/// Starts at one heading that are off the entry position, away from the corner it touches: this far along the slot and out
+/// into the road. [m]
+struct Starts {
+    double heading = 0.0;
+    double along_min = 0.0, along_max = 0.0;
+    double out_min = 0.0, out_max = 0.0;
+};
+
 /// Why something could not be told, and so where to cut: at the root of a quantity, or (beside a graze) nearer to it.
 struct Failure {
     enum Kind : unsigned char { halve, at_root, beside_graze } kind = halve;

@@ -13,6 +13,15 @@ Outcome Driver::look(Box& box, int limit) {
     return outcome;
 }
 
+Outcome Driver::look(const Starts& starts, int limit) {
+    limit_ = limit;
+    ++boxes_;
+    forks_ = 0;
+    mover_.forget();
+    trail_.front() = mover_.enter(starts);
+    return follow(0);
+}
+
 Outcome Driver::follow(int n) {
     const int start = n;
     for (; n <= limit_; ++n) {
