@@ -94,7 +94,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
 
     const seenBox = (s: StreetScene): Box => {
         const region = s.place.region!;
-        const stands = carCorners(s.car, s.pose);
+        const stands = corners(s.car, s.pose, 0.4);
         if (!s.street) {
             const inside = bay(s);
             const named = s.place.obstacles.flatMap((one) => (Array.isArray(one) ? one : one.polygon).map(([x, y]) => ({ x, y })));
@@ -111,8 +111,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         const beside = (narrow ? 0.75 : 1.45) * own;
         const out = Math.min(s.street.road ?? Infinity, Math.max(1.5 * own, 6));
         const [low, high] = sense(s) > 0 ? [slot.y_min - 0.75, out + 0.45] : [-out - 0.45, slot.y_max + 0.75];
-        const all = extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside, y: high }, ...stands]);
-        return all;
+        return extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside, y: high }, ...stands]);
     };
 
     const fit = (s: StreetScene) => {
