@@ -23,8 +23,8 @@ using namespace detail::sets;
 
 namespace {
 
-constexpr double half_turn = 3.141592653589793;
-constexpr double touch = 1e-9;  ///< deeper is contact [m]
+using limits::half_turn;
+using limits::touching;
 
 ParkMapOptions of_street(const Street& street, const ParkMapOptions& options) {
     ParkMapOptions mine = options;
@@ -146,9 +146,10 @@ MapBounds ParkMap::at(const Pose& pose) const {
     MapBounds bounds;
     if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.heading)) return bounds;
     const Pose here = map.in_chart(pose);
-    if (std::abs(here.heading) > half_turn / 2.0 || std::abs(angles::sin(here.heading)) > steepest_sine) return bounds;
+    if (std::abs(here.heading) > half_turn / 2.0 || std::abs(angles::sin(here.heading)) > detail::sets::steepest_sine)
+        return bounds;
     for (const HalfPlane& edge : map.here.region)
-        if (edge.normal.x * here.x + edge.normal.y * here.y > edge.offset + touch) return bounds;
+        if (edge.normal.x * here.x + edge.normal.y * here.y > edge.offset + touching) return bounds;
     bounds.where = MapBounds::blocked;
     if (!is_clear(map.here, here)) return bounds;
     bounds.where = MapBounds::free;
@@ -178,6 +179,15 @@ std::optional<Maneuver> ParkMap::maneuver(const Pose& pose) const {
     for (const detail::Path& piece : way)
         if (!is_free(map.here, piece)) return std::nullopt;
     return detail::in_world(map.car, pose, way);
+}
+
+bool ParkMap::goes_free(const Pose& pose, Direction direction, double steering_angle, double length) const {
+    const Swept& map = *swept_;
+    const Pose here = map.in_chart(pose);
+    const double curvature =
+        steering_angle == 0.0 ? 0.0 : angles::sin(steering_angle) / angles::cos(steering_angle) / map.car.wheelbase();
+    return is_clear(map.here, here) &&
+           is_free(map.here, detail::Path{here, curvature, direction == Direction::forward ? 1.0 : -1.0, length});
 }
 
 const Car& ParkMap::car() const { return swept_->car; }

@@ -118,9 +118,9 @@ private:
         leave_out_noise({at}, ranges, noise);
         std::optional<double> heading;
         double widest = 0.0;
-        for (const Stretch& stretch : stretches(ranges, changes_, std::max(options_.min_range, resolvable_range))) {
-            const double min = ranges[stretch.first].min;
-            const double width = ranges[stretch.last].max - min;
+        for (const Chain& chain : chains(ranges, changes_, std::max(options_.min_range, resolvable_range))) {
+            const double min = ranges[chain.first].min;
+            const double width = ranges[chain.last].max - min;
             if (heading && width < widest) continue;
             const double between = min + width / 2.0;
             if (!parks_around(at, between)) continue;

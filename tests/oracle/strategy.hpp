@@ -64,15 +64,16 @@ Real until_turned_away(const Problem<Real>& problem, const Place<Real>& place) {
 
 enum class Look { at_counts, at_depths_too };
 
+/// From anywhere; whoever overlaps something there has no entry.
 template <class Real>
-void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>& out, Look look = Look::at_counts) {
+void run_from(const Problem<Real>& problem, Place<Real> place, int max_changes, Run<Real>& out,
+              Look look = Look::at_counts) {
     constexpr Real never = std::numeric_limits<Real>::infinity();
     out.outcome = snug::Outcome::no_entry;
     out.changes = 0;
     out.itinerary = 0;
     out.legs.clear();
 
-    Place<Real> place = entry_place(problem, heading);
     if (depth(problem, place) > problem.forgiven) return;
     int direction = problem.enter == snug::Enter::backward ? -1 : 1;
     Real radius = problem.radius;
@@ -108,6 +109,11 @@ void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>&
         radius = -radius;
     }
     out.outcome = snug::Outcome::too_many_changes;
+}
+
+template <class Real>
+void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>& out, Look look = Look::at_counts) {
+    run_from(problem, entry_place(problem, heading), max_changes, out, look);
 }
 
 template <class Real>
