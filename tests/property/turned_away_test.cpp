@@ -100,5 +100,34 @@ TEST(TurnedAway, IsTurnedAwayHoweverOneAsks) {
     EXPECT_GT(turned_away, 3 * cases);
 }
 
+TEST(TurnedAway, APoseIsTheSameAWholeTurnOn) {
+    int parked = 0;
+    const int runs = snug::test::sample(400, 20000);
+    for (int i = 0; i < runs; ++i) {
+        Random random(77 + std::uint64_t(i));
+        const snug::Car car = *snug::find_car(random.chance(0.5) ? "renault-zoe" : "mid-size");
+        const snug::Slot slot({.length = car.length() + random.between(0.8, 3.0), .width = car.width() + 0.4});
+        const snug::Pose entry = snug::entry_position(car, slot, random.between(0.2, 0.7));
+        const double turned = random.chance(0.5) ? random.between(-3.0, 3.0) : 0.0;
+        const snug::Pose start = {entry.x + random.between(0.0, 0.1), entry.y + random.between(0.0, 0.1),
+                                  entry.heading + turned};
+        const snug::MaxSteerRun told = snug::max_steer(car, slot, start, snug::Direction::backward, {20, {}, {}});
+        parked += told.outcome == snug::Outcome::parked;
+        for (const int turns : {-2, -1, 1, 2}) {
+            SCOPED_TRACE("run " + std::to_string(i) + ", turns " + std::to_string(turns));
+            const double whole = turns * 2.0 * std::numbers::pi;
+            const snug::MaxSteerRun run = snug::max_steer(car, slot, {start.x, start.y, start.heading + whole},
+                                                          snug::Direction::backward, {20, {}, {}});
+            ASSERT_EQ(run.outcome, told.outcome);
+            ASSERT_EQ(run.maneuver.moves.size(), told.maneuver.moves.size());
+            for (std::size_t k = 0; k < run.maneuver.moves.size(); ++k) {
+                EXPECT_NEAR(run.maneuver.moves[k].length, told.maneuver.moves[k].length, 1e-7);
+                EXPECT_NEAR(run.maneuver.moves[k].end.heading, told.maneuver.moves[k].end.heading + whole, 1e-7);
+            }
+        }
+    }
+    EXPECT_GE(parked, runs / 50);
+}
+
 }  // namespace
 }  // namespace oracle
