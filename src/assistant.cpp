@@ -119,7 +119,7 @@ std::optional<Maneuver> Assistant::plan(const Pose& measured) const { return map
 double Assistant::expected_changes(const Pose& end, Direction driven) const {
     constexpr double along = 0.02, across = 0.012, turned = 0.006;
     constexpr double unknown = 4.0;
-    const auto [s, c] = angles::sine_cosine(end.heading);
+    const double s = angles::sin(end.heading), c = angles::cos(end.heading);
     const auto changes_at = [&](double x, double y, double heading) {
         const MapBounds bounds = map_.at({end.x + x * c - y * s, end.y + x * s + y * c, end.heading + heading});
         if (!bounds.direction_changes) return unknown;

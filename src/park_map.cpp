@@ -117,12 +117,12 @@ ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& optio
         throw Error(
             "the street's heading and the parked one are more than 150 degrees apart; name the nearer of the two "
             "directions of the street");
-    constexpr double most_cells = 4e6;
+    constexpr double most_map_cells = 4e6;
     const double cells = (here.x_max - here.x_min) * 2.0 * here.radius / (asked.spacing * asked.spacing);
-    if (cells > most_cells)
+    if (cells > most_map_cells)
         throw Error("the region is " + spelled(std::round(here.x_max - here.x_min)) + " m long: at a spacing of " +
                     spelled(asked.spacing) + " m its map would take " + spelled(std::round(cells / 1e5) / 10.0) +
-                    " million cells, but at most " + spelled(most_cells / 1e6) +
+                    " million cells, but at most " + spelled(most_map_cells / 1e6) +
                     " million are supported; name a smaller region, or a coarser spacing");
     const double reach = std::max(std::abs(here.y_min), std::abs(here.y_max));
     if (reach > farthest_y || here.radius > 40.0)
