@@ -253,8 +253,9 @@ private:
 /// where `holds` last held. Infinity if it is not over by `farthest`.
 template <class Real, class Safe, class Over, class Holds>
 Real first_end(Real farthest, Real forgiven, const Safe& safe, const Over& over, const Holds& holds) {
-    // Between two creeping steps a curve of a metre's radius rises by less than what is forgiven.
-    const Real longest = std::sqrt(forgiven), shortest = longest / 1000;
+    // Between two creeping steps a curve of a metre's radius rises by less than what is forgiven. Fine numbers begin so close
+    // that a dip with a kink at its bottom, where the car is parallel, is seen from a hundred-thousandth of that on.
+    const Real longest = std::sqrt(forgiven), shortest = longest / (sizeof(Real) > 8 ? Real(1e6L) : Real(1e3L));
     Real distance = 0, creep = shortest, last = 0;
     while (distance < farthest) {
         const Real step = safe(distance, farthest - distance);
