@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/angles.hpp"
 #include "sentences/check.hpp"
 #include "snug/contact.hpp"
 #include "snug/limits.hpp"
@@ -114,6 +115,45 @@ Assistant::Assistant(const Car& car, const Place& place, ParkMap map, const Assi
 
 std::optional<Maneuver> Assistant::plan(const Pose& measured) const { return map_.maneuver(measured); }
 
+/// On average over where the car may truly come to rest.
+double Assistant::expected_changes(const Pose& end, Direction driven) const {
+    constexpr double along = 0.02, across = 0.012, turned = 0.006;
+    constexpr double unknown = 4.0;
+    const auto [s, c] = angles::sine_cosine(end.heading);
+    const auto changes_at = [&](double x, double y, double heading) {
+        const MapBounds bounds = map_.at({end.x + x * c - y * s, end.y + x * s + y * c, end.heading + heading});
+        if (!bounds.direction_changes) return unknown;
+        return *bounds.direction_changes + (bounds.first && *bounds.first != driven ? 1.0 : 0.0);
+    };
+    double sum = 2.0 * changes_at(0.0, 0.0, 0.0);
+    for (const double way : {1.0, -1.0})
+        sum +=
+            changes_at(way * along, 0.0, 0.0) + changes_at(0.0, way * across, 0.0) + changes_at(0.0, 0.0, way * turned);
+    return sum / 8.0;
+}
+
+/// Ends the last arc where coming to rest a little off does the least harm.
+void Assistant::settle(Instruction& told) const {
+    if (told.moves.empty()) return;
+    const Move last = told.moves.back();
+    constexpr double step = 0.01, farthest = 0.3;
+    double least = expected_changes(last.end, last.direction);
+    for (const double way : {-1.0, 1.0}) {
+        for (int i = 1; i * step <= farthest; ++i) {
+            Move other = last;
+            other.length = last.length + way * i * step;
+            if (!(other.length > 0.0)) break;
+            other.end = drive(car_, last.start, last.direction, last.steering_angle, other.length);
+            if (way > 0.0 && map_.at(other.end).where != MapBounds::free) break;
+            const double cost = expected_changes(other.end, other.direction) + 0.2 * i * step;
+            if (cost >= least) continue;
+            if (way > 0.0 && !map_.goes_free(last.start, last.direction, last.steering_angle, other.length)) break;
+            least = cost;
+            told.moves.back() = other;
+        }
+    }
+}
+
 Instruction Assistant::next(const Pose& measured, std::optional<Direction> driven) const {
     if (std::abs(measured.heading) > limits::farthest) return {};  // no heading
     const MapBounds bounds = map_.at(measured);
@@ -123,11 +163,13 @@ Instruction Assistant::next(const Pose& measured, std::optional<Direction> drive
     const std::optional<Maneuver> way = map_.maneuver(measured);
     if (!way) return short_way(measured, driven, std::numeric_limits<int>::max());
     const int changes = way->direction_changes() + (driven && *driven != way->moves.front().direction ? 1 : 0);
+    Instruction told = {Instruction::move, first_way(way->moves), changes};
     if (driven && changes > 0) {
         Instruction farther = short_way(measured, driven, changes - 1);
-        if (farther.what != Instruction::stuck) return farther;
+        if (farther.what != Instruction::stuck) told = std::move(farther);
     }
-    return {Instruction::move, first_way(way->moves), changes};
+    settle(told);
+    return told;
 }
 
 Instruction Assistant::way_out(const Pose& measured) const {

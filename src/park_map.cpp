@@ -181,6 +181,15 @@ std::optional<Maneuver> ParkMap::maneuver(const Pose& pose) const {
     return detail::in_world(map.car, pose, way);
 }
 
+bool ParkMap::goes_free(const Pose& pose, Direction direction, double steering_angle, double length) const {
+    const Swept& map = *swept_;
+    const Pose here = map.in_chart(pose);
+    const double curvature =
+        steering_angle == 0.0 ? 0.0 : angles::sin(steering_angle) / angles::cos(steering_angle) / map.car.wheelbase();
+    return is_clear(map.here, here) &&
+           is_free(map.here, detail::Path{here, curvature, direction == Direction::forward ? 1.0 : -1.0, length});
+}
+
 const Car& ParkMap::car() const { return swept_->car; }
 const Place& ParkMap::place() const { return swept_->place; }
 double ParkMap::spacing() const { return swept_->options.spacing; }

@@ -70,6 +70,8 @@ public:
 
 private:
     [[nodiscard]] Instruction way_out(const Pose& measured) const;
+    void settle(Instruction& told) const;
+    [[nodiscard]] double expected_changes(const Pose& end, Direction driven) const;
     [[nodiscard]] Instruction short_way(const Pose& measured, std::optional<Direction> driven, int most_changes) const;
 
     Car car_;

@@ -57,6 +57,9 @@ public:
     /// known, and where the car is parked already.
     [[nodiscard]] std::optional<Maneuver> maneuver(const Pose& pose) const;
 
+    /// Whether driving so far meets nothing and stays in the region, by exact contact; so does no pose outside of what is covered.
+    [[nodiscard]] bool goes_free(const Pose& pose, Direction direction, double steering_angle, double length) const;
+
     [[nodiscard]] const Car& car() const;
     [[nodiscard]] const Place& place() const;
     [[nodiscard]] double spacing() const;

@@ -43,7 +43,7 @@ const Pose usual_start = {2.0, 1.75, 0.0};
 
 DriveOptions without_errors() {
     DriveOptions options;
-    options.errors = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0, 0.0};
+    options.errors = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0, 0.0, 0.0};
     options.margin = 0.03;
     options.runs = 3;
     return options;
@@ -272,6 +272,40 @@ TEST(Drive, LookingAgainParksMoreOftenThanNot) {
     EXPECT_GT(looking.parked(), 2 * blind.parked());
 }
 
+TEST(Drive, ASlotSeenWithErrorsIsParkedInAllTheSame) {
+    DriveOptions options;
+    options.errors.slot_place = 0.03;
+    options.errors.slot_size = 0.02;
+    options.margin = 0.03;
+    options.runs = snug::test::sample(16, 200);
+    options.threads = 1;
+    const DriveAnswer one = drive_runs(zoe(), usual_street(), usual_start, options);
+    EXPECT_GT(one.parked(), options.runs * 8 / 10);
+    options.threads = 3;
+    EXPECT_EQ(one.runs, drive_runs(zoe(), usual_street(), usual_start, options).runs);
+    options.errors.slot_place = options.errors.slot_size = 0.0;
+    EXPECT_NE(one.runs, drive_runs(zoe(), usual_street(), usual_start, options).runs);
+    EXPECT_EQ(drive_runs(zoe(), street_place(usual_street()), usual_start, options).runs,
+              drive_runs(zoe(), usual_street(), usual_start, options).runs);
+}
+
+TEST(Drive, EachErrorAloneIsBorne) {
+    for (const int which : {0, 1, 2, 3, 4, 5}) {
+        SCOPED_TRACE(which);
+        DriveOptions options = without_errors();
+        const snug::CarErrors usual;
+        if (which == 0) options.errors.sensing = usual.sensing;
+        if (which == 1) options.errors.bias = {0.005, 0.005, 0.002};
+        if (which == 2) options.errors.distance = usual.distance;
+        if (which == 3) options.errors.steering = usual.steering;
+        if (which == 4) options.errors.lag = 0.2;
+        if (which == 5) options.errors.slot_place = options.errors.slot_size = 0.02;
+        options.runs = snug::test::sample(10, 200);
+        const DriveAnswer answer = drive_runs(zoe(), usual_street(), usual_start, options);
+        EXPECT_GE(answer.parked(), options.runs * 8 / 10);
+    }
+}
+
 TEST(Drive, FindsAMarginThatDoes) {
     Street street = usual_street();
     street.length = 5.0;
@@ -329,7 +363,16 @@ TEST(Drive, RefusesWhatIsImpossible) {
         options = without_errors();
         options.rate = bad;
         refused(options);
+        options = without_errors();
+        options.errors.lag = bad;
+        refused(options);
+        options = without_errors();
+        options.errors.slot_size = bad;
+        EXPECT_THROW((void)drive_runs(zoe(), usual_street(), usual_start, options), snug::Error);
     }
+    DriveOptions of_a_slot = without_errors();
+    of_a_slot.errors.slot_place = 0.01;
+    refused(of_a_slot);                             // there is none
     refused(without_errors(), {2.0, 0.0, 0.0});     // in the front neighbour
     refused(without_errors(), {500.0, 1.75, 0.0});  // far out of the region
 }

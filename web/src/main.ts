@@ -21,7 +21,11 @@ import { createStreet } from "./street";
 import { sayAnswer, sayHeading, sayPark } from "./words";
 
 function run(snug: Snug, module: WebAssembly.Module) {
-    const catalogue = snug.cars();
+    const groups = [
+        { title: "Of the paper", cars: snug.cars() },
+        { title: "Of data sheets", cars: snug.sheetCars().map(({ sheet: _, circle: __, ...car }) => car) },
+    ];
+    const catalogue = groups.flatMap(({ cars }) => cars);
     /** What a link leaves out. */
     const usual: Inputs = {
         mode: "street",
@@ -96,12 +100,15 @@ function run(snug: Snug, module: WebAssembly.Module) {
         },
         road: (by) => inputs.road !== null && change({ ...inputs, road: within("road", inputs.road + by) }),
         grabbed: () => player.pause(),
-        released: refresh,
+        released: () => {
+            parking.look();
+            refresh();
+        },
     });
     const player = createPlayer((pose, steer) => (inStreet() ? street : drawing).showCar(pose, steer));
     // A field that is not the pose leaves the usual one as it is.
     const fields = createFields(standing, (next) => change(next.pose === parking.state.pose ? { ...next, pose: inputs.pose } : next));
-    const choices = createChoices(catalogue, now, change);
+    const choices = createChoices(groups, now, change);
     const questions = asker(module);
     const shorter = createShorter(questions);
     const { answers, frameTimes, ask, askRanges, final } = createAnswers(snug, questions, {
@@ -113,6 +120,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
     const parking = createParking(snug, questions, {
         changed: refresh,
         busy: () => street.busy(),
+        still: () => !street.busy() && !drawing.busy() && !player.running(),
         slice: (heading) => (byId<HTMLInputElement>("show-map").checked ? street.slice(heading, street.busy() ? 10 : 5) : null),
     });
     const maps = createMaps(questions, (extraLength, extraWidth) => {
@@ -275,7 +283,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
     }
     byId("inputs").addEventListener("input", () => (complaints = []));
     const follow = () => {
-        const link = fromLink(location.hash.slice(1), usual, catalogue);
+        const link = fromLink(location.hash.slice(1), usual, catalogue, (text) => snug.readScene(text, "the place in the link"));
         linked = "";
         inputs = link.inputs;
         complaints = link.complaints.filter(({ field }) => !field).map(({ sentence }) => sentence);
@@ -293,14 +301,14 @@ function run(snug: Snug, module: WebAssembly.Module) {
 }
 
 async function begin() {
-    if (typeof WebAssembly !== "object") throw new Error("This page needs a browser with WebAssembly; any from 2022 on has it.");
+    if (typeof WebAssembly !== "object") throw new Error("This page needs a browser with WebAssembly; any from spring 2023 on has it.");
     let module: WebAssembly.Module;
     let snug: Snug;
     try {
         module = await compile();
         snug = await start(module);
     } catch (error) {
-        throw new Error(`The solver could not be started here: ${error instanceof Error ? error.message : String(error)}. Any browser from 2022 on runs it.`);
+        throw new Error(`The solver could not be started here: ${error instanceof Error ? error.message : String(error)}. Any browser from spring 2023 on runs it.`);
     }
     run(snug, module);
 }

@@ -18,6 +18,9 @@ export interface MapGrid {
     extraWidth: number;
 }
 
+/** Maps of the street count up to so many changes. */
+export const mostInStreet = 20;
+
 /** A car and where it parks. */
 export interface PlaceCase {
     car: Car;
@@ -39,7 +42,7 @@ export interface Questions {
         tell: { so_far: FewestProgress } | { answer: FewestAnswer };
     };
     entry: {
-        ask: Case & { slot: SlotLike };
+        ask: Case & { slot: SlotLike; prove: boolean };
         tell: { answer: EntryAnswer };
     };
     "min-slot": {
