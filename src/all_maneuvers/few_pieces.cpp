@@ -213,7 +213,7 @@ void with_few_pieces(const ChartPlace& place, const std::vector<Path>& way, std:
             }
             if (best.empty()) {  // as it was
                 best.push_back(move[i]);
-                best[0].start = at;
+                best.all[0].start = at;
                 reached = i + 1;
             }
             for (Path piece : best) {
