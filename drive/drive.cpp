@@ -14,7 +14,8 @@
 namespace snug {
 namespace {
 
-/// Margins that are tried, the smallest first: a small one asks for the fewest changes. [m]
+/// Margins that are tried, the smallest first: a small one leads to plans with the fewest changes, a large one to fewer that are not
+/// planned. [m]
 constexpr std::array margins = {0.01, 0.02, 0.025, 0.03, 0.035, 0.04, 0.045, 0.05, 0.06, 0.08, 0.10, 0.12, 0.15, 0.2};
 constexpr int runs_tried = 200;
 
@@ -129,23 +130,24 @@ DriveAnswer drive_all(const Car& car, const Place& place, const Street* street, 
     DriveAnswer best;
     double best_share = -1.0;
     std::optional<Assistant> best_assistant;
+    bool done = false;
     for (const double margin : margins) {
         std::optional<Assistant> assistant = assistant_with(car, place, start, margin, options);
         if (!assistant) continue;
         DriveAnswer tried = with(*assistant, street, start, std::min(options.runs, runs_tried), options);
-        if (tried.cancelled) return tried;
-        if (enough(tried, options.rate) && options.runs > runs_tried) {
+        if (!tried.cancelled && enough(tried, options.rate) && options.runs > runs_tried)
             tried = with(*assistant, street, start, options.runs, options);
-            if (tried.cancelled) return tried;
-        }
-        const bool done = enough(tried, options.rate);
+        if (tried.cancelled) return done ? best : tried;
         const double share = static_cast<double>(tried.parked()) / static_cast<double>(tried.runs.size());
-        if (share > best_share) {
+        // The least that does, or a larger one while that takes fewer changes.
+        const bool does = enough(tried, options.rate);
+        if (done && !(does && tried.totals().mean_changes < best.totals().mean_changes)) break;
+        if (does || share > best_share) {
             best_share = share;
             best = std::move(tried);
             best_assistant = std::move(assistant);
         }
-        if (done) break;
+        done = does;
     }
     if (best_assistant && static_cast<int>(best.runs.size()) < options.runs)
         best = with(*best_assistant, street, start, options.runs, options);

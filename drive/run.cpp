@@ -22,6 +22,7 @@ constexpr int looks_when_parked = 40;         ///< before the car calls itself p
 constexpr double creeping = 0.1;              ///< speed beside something [m/s]
 constexpr double near_margins = 2.0;          ///< beside it is nearer than so many margins
 constexpr double least_before_another = 0.2;  ///< that it rolls before it looks for another way [m]
+constexpr double least_astray = 0.025;        ///< and off its way by so much, or the margin [m]
 constexpr double settling = 0.7;              ///< distance in which deviations from a move die away [m]
 constexpr double look_seconds = 0.1;          ///< what a look at standstill takes [s]
 
@@ -133,7 +134,7 @@ private:
             steering = corrected(move, off);
             // Where a corner may be off by the margin another way is better.
             const double astray = std::abs(off.left) + car_.front() * std::abs(off.heading);
-            if (rolled > least_before_another && astray > assistant_->map().clearance()) {
+            if (rolled > least_before_another && astray > std::max(assistant_->map().clearance(), least_astray)) {
                 clear = false;
                 break;
             }

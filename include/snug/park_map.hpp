@@ -6,12 +6,17 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/place.hpp"
 
 namespace snug {
+
+namespace detail {
+struct WayLists;
+}
 
 struct ParkMapOptions {
     /// Of the lattice [m]; half of it takes four times as long. 0: 8 cm, or a 32nd of the turning radius where that is less.
@@ -79,6 +84,10 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
+    friend class Assistant;
+    /// The moves of maneuver(), none where there is none. Nothing is allocated while the lists have room.
+    void moves(const Pose& pose, detail::WayLists& lists, std::vector<Move>& moves) const;
+
     struct Swept;
     std::shared_ptr<const Swept> swept_;
 };

@@ -154,7 +154,8 @@ struct TurningFrame {
 
     /// The sector of a quarter, counted on from the quarter's first.
     [[nodiscard]] const Sector& at(int quarter, int sector) const {
-        return sectors[static_cast<std::size_t>((quarter & 3) * per_quarter + sector)];
+        const int counted = (quarter & 3) * per_quarter + sector;
+        return sectors[static_cast<std::size_t>(counted)];
     }
     /// In which sector of its quarter a heading lies; at a border in the one that begins there.
     [[nodiscard]] int sector_of(const QuarterHeading& heading) const {

@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "atlas/allocations.hpp"
 #include "drive/run.hpp"
 #include "park/judge.hpp"
 #include "park/random_places.hpp"
@@ -130,6 +133,45 @@ TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
     EXPECT_GT(overlapped, 0);
     EXPECT_GT(stuck, 0);
     EXPECT_GE(parked + escaped, 0);
+}
+
+TEST(Assistant, AllocatesNothingInMemoryMadeBefore) {
+    for (const double angle : {0.0, 1.5707963267948966}) {
+        Street street = usual_street();
+        street.angle = angle;
+        street.width = angle == 0.0 ? 2.0 : 2.5;
+        street.road = angle == 0.0 ? 3.5 : 6.0;
+        AssistantOptions options;
+        options.margin = 0.03;
+        const Assistant assistant(zoe(), street, options);
+        snug::AssistantMemory memory(assistant);
+        Random random(3);
+        std::size_t allocated = 0;
+        double slowest = 0.0, sum = 0.0;
+        int answers[5] = {};
+        const int poses = snug::test::sample(2000, 100000);
+        for (int i = 0; i < poses; ++i) {
+            const Pose pose = {random.between(-9.0, 9.0), random.between(-2.5, 5.0), random.between(-0.6, 0.6 + angle)};
+            const std::optional<Direction> driven =
+                random.chance(0.3) ? std::nullopt
+                                   : std::optional(random.chance(0.5) ? Direction::forward : Direction::backward);
+            const auto begin = std::chrono::steady_clock::now();
+            const std::size_t before = snug::test::allocations();
+            const Instruction& told = assistant.next(pose, driven, memory);
+            allocated += snug::test::allocations() - before;
+            const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            slowest = std::max(slowest, took);
+            sum += took;
+            ++answers[told.what];
+            if (i % 50 == 0) {
+                EXPECT_EQ(told, assistant.next(pose, driven)) << i;
+            }
+        }
+        EXPECT_EQ(allocated, 0U);
+        EXPECT_GT(answers[Instruction::move], 0);
+        EXPECT_GT(answers[Instruction::overlap], 0);
+        std::cout << "next(): " << 1e3 * sum / poses << " ms on average, at most " << 1e3 * slowest << " ms\n";
+    }
 }
 
 TEST(Assistant, HasNoAnswerToPosesThatAreNoNumbers) {

@@ -12,7 +12,7 @@ import { later } from "./later";
 import { createMaps } from "./maps";
 import { createParking } from "./parking";
 import { createPlayer } from "./player";
-import { asker } from "./questions";
+import { asker, type Asker } from "./questions";
 import { createSceneFile } from "./scene_file";
 import { createShare } from "./share";
 import { createShorter } from "./shorter";
@@ -20,7 +20,7 @@ import { compile, start } from "./solver";
 import { createStreet } from "./street";
 import { sayAnswer, sayHeading, sayPark } from "./words";
 
-function run(snug: Snug, module: WebAssembly.Module) {
+function run(snug: Snug, questions: Asker) {
     const groups = [
         { title: "Of the paper", cars: snug.cars() },
         { title: "Of data sheets", cars: snug.sheetCars().map(({ sheet: _, circle: __, ...car }) => car) },
@@ -109,7 +109,6 @@ function run(snug: Snug, module: WebAssembly.Module) {
     // A field that is not the pose leaves the usual one as it is.
     const fields = createFields(standing, (next) => change(next.pose === parking.state.pose ? { ...next, pose: inputs.pose } : next));
     const choices = createChoices(groups, now, change);
-    const questions = asker(module);
     const shorter = createShorter(questions);
     const { answers, frameTimes, ask, askRanges, final } = createAnswers(snug, questions, {
         changed: refresh,
@@ -302,15 +301,16 @@ function run(snug: Snug, module: WebAssembly.Module) {
 
 async function begin() {
     if (typeof WebAssembly !== "object") throw new Error("This page needs a browser with WebAssembly; any from spring 2023 on has it.");
-    let module: WebAssembly.Module;
+    let questions: Asker;
     let snug: Snug;
     try {
-        module = await compile();
+        const module = await compile();
+        questions = asker(module); // its first worker starts meanwhile
         snug = await start(module);
     } catch (error) {
         throw new Error(`The solver could not be started here: ${error instanceof Error ? error.message : String(error)}. Any browser from spring 2023 on runs it.`);
     }
-    run(snug, module);
+    run(snug, questions);
 }
 
 begin().catch((error: unknown) => {

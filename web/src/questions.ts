@@ -92,6 +92,20 @@ export function asker(module: WebAssembly.Module) {
     const lanes = new Map<string, Lane>();
     let ids = 0;
 
+    const begin = () => {
+        const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+        worker.postMessage({ module } satisfies ToWorker);
+        return worker;
+    };
+    /** One that is ready: to start takes longer than many an answer. */
+    let spare: Worker | null = begin();
+    const take = () => {
+        const worker = spare ?? begin();
+        spare = null;
+        setTimeout(() => (spare ??= begin()), 100);
+        return worker;
+    };
+
     const abandon = (lane: string) => {
         const old = lanes.get(lane);
         if (old?.busy) {
@@ -104,9 +118,7 @@ export function asker(module: WebAssembly.Module) {
         abandon(lane);
         let used = lanes.get(lane);
         if (!used) {
-            const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
-            worker.postMessage({ module } satisfies ToWorker);
-            used = { worker, busy: false, id: 0 };
+            used = { worker: take(), busy: false, id: 0 };
             lanes.set(lane, used);
         }
         const mine = used;

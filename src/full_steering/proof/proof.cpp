@@ -197,7 +197,7 @@ double steepest_parked(const ProofProblem& problem, bool above) {
 
 bool none_parks(const ProofProblem& problem, int max_changes, std::size_t& moves_left) {
     constexpr int first_boxes = 16;
-    constexpr double narrowest = 1e-11;  ///< [rad]
+    constexpr double narrow_enough = 1e-11;  ///< [rad]
     // Many boxes narrower than this tell no more of slots that differ that much; a few may close in on a sliver.
     const double blurred = 0.01 * (problem.length_error + problem.width_error);
     constexpr int most_blurred = 20;
@@ -220,7 +220,7 @@ bool none_parks(const ProofProblem& problem, int max_changes, std::size_t& moves
         const double width = box.max - box.min;
         if (width < blurred && ++seen_blurred > most_blurred) {
             none = false;
-        } else if (width > narrowest) {
+        } else if (width > narrow_enough) {
             cut(box, outcome, driver, problem.radius, boxes);
         } else {
             slivers += width;

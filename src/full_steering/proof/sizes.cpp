@@ -11,25 +11,22 @@ namespace snug::detail {
 
 namespace {
 
-constexpr double coarsest = 0.05;             ///< strips, at first [m]
-constexpr double finest = 2e-7;               ///< strips are not halved further [m]
-constexpr std::size_t moves_a_strip = 3'000;  ///< wider strips are given up sooner than they are proved
-constexpr std::size_t moves_at_least =
-    500;  ///< and, beyond that, when four times as many as for the last one do not do
+constexpr double coarsest = 0.05;                ///< strips, at first [m]
+constexpr double finest = 2e-7;                  ///< strips are not halved further [m]
+constexpr std::size_t moves_a_strip = 3'000;     ///< wider strips are given up sooner than they are proved
 constexpr std::size_t moves_in_all = 3'000'000;  ///< 1 to 2 s
 
 /// In none of the slots from one size to another?
 bool none_between(const Car& car, double given, const MinSlotOptions& options, double from, double to,
-                  std::size_t& moves_left, std::size_t& usual) {
+                  std::size_t& moves_left) {
     const double middle = 0.5 * (from + to);
     const double error = std::max(middle - from, to - middle) + 1e-15 * to;
     ProofProblem problem = proof_problem(car, slot_of(options, given, middle), options.driving, options.parked);
     (options.sought == Sought::length ? problem.length_error : problem.width_error) = error;
-    std::size_t left = std::min({moves_a_strip, moves_at_least + 4 * usual, moves_left});
+    std::size_t left = std::min(moves_a_strip, moves_left);
     const std::size_t before = left;
     const bool none = none_parks(problem, options.max_changes, left);
     moves_left -= before - left;
-    if (none) usual = before - left;
     return none;
 }
 
@@ -43,7 +40,6 @@ void prove_smaller(const Car& car, double given, const MinSlotOptions& options, 
     other.sought = length ? Sought::width : Sought::length;
     const bool hopeless = given < least_size(car, other);
     std::size_t moves_left = moves_in_all;
-    std::size_t usual = moves_a_strip;
     double from = least;
     double step = coarsest;
     const auto leave_open = [&](double to) {
@@ -61,7 +57,7 @@ void prove_smaller(const Car& car, double given, const MinSlotOptions& options, 
             break;
         }
         const double to = end - from < step + finest ? end : from + step;
-        if (none_between(car, given, options, from, to, moves_left, usual)) {
+        if (none_between(car, given, options, from, to, moves_left)) {
             from = to;
             step = std::min(2.0 * step, coarsest);
         } else if (step > finest) {
