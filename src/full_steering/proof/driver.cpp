@@ -6,6 +6,7 @@ Outcome Driver::look(Box& box, int limit) {
     limit_ = limit;
     ++boxes_;
     forks_ = 0;
+    narrow_ = box.max - box.min < 1e-6;
     mover_.forget();
     trail_[static_cast<std::size_t>(box.driven)] = box.driven == 0 ? mover_.enter(box) : box.state;
     const Outcome outcome = follow(box.driven);
@@ -17,6 +18,7 @@ Outcome Driver::look(const Starts& starts, int limit) {
     limit_ = limit;
     ++boxes_;
     forks_ = 0;
+    narrow_ = true;
     mover_.forget();
     trail_.front() = mover_.enter(starts);
     return follow(0);
@@ -31,15 +33,19 @@ Outcome Driver::follow(int n) {
         if ((n == start || n == 1 || n % 4 == 0) && n > 0 && jams(n, outcome)) return outcome;
         const After after = mover_.move(trail_[at], trail_[at + 1], outcome);
         if (after == After::moved) continue;
-        if (outcome.what == Outcome::undecided && jams(n, outcome)) return outcome;
+        if (outcome.what == Outcome::undecided) {
+            if (jams(n, outcome)) return outcome;
+            for (int k = start; narrow_ && k <= n; ++k)
+                if (jams(k, outcome, true)) return outcome;
+        }
         return after == After::grazed ? both_ways(outcome) : outcome;
     }
     return {Outcome::none, limit_, true, {}};
 }
 
 /// Do none of the cars park in the moves from n to the limit, because they jam?
-bool Driver::jams(int n, Outcome& outcome) const {
-    const Jammed jammed = mover_.jams(before(n), limit_ - n + 1);
+bool Driver::jams(int n, Outcome& outcome, bool anyway) const {
+    const Jammed jammed = mover_.jams(before(n), limit_ - n + 1, anyway);
     if (jammed == Jammed::no) return false;
     outcome = {Outcome::none, n - 1, jammed == Jammed::for_now, {}};
     return true;

@@ -27,7 +27,7 @@ public:
 private:
     Outcome follow(int n);
     Outcome both_ways(const Outcome& fork);
-    bool jams(int n, Outcome& outcome) const;
+    bool jams(int n, Outcome& outcome, bool anyway = false) const;
 
     static constexpr int most_forks = 8;  ///< in a box
     Mover mover_;
@@ -35,6 +35,7 @@ private:
     std::size_t boxes_ = 0;
     int limit_ = 0;
     int forks_ = 0;
+    bool narrow_ = false;  ///< the box is, so that asking more pays
 };
 
 }  // namespace snug::detail::proof

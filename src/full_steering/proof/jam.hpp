@@ -26,8 +26,9 @@ public:
     explicit Jam(const ProofProblem& problem);
 
     /// Before a move: do none of the cars park in `moves` moves, this one included, or in any number? An entry position
-    /// that is none counts as one that does not.
-    [[nodiscard]] Jammed jams(const State& state, const Steering& backward, const Steering& forward, int moves) const;
+    /// that is none counts as one that does not. Only asked where it looks like that, or `anyway`.
+    [[nodiscard]] Jammed jams(const State& state, const Steering& backward, const Steering& forward, int moves,
+                              bool anyway) const;
 
 private:
     std::vector<Point> frame_;

@@ -37,8 +37,8 @@ public:
                bool meets_curb = false);
 
     /// See Jam.
-    [[nodiscard]] Jammed jams(const State& state, int moves) const {
-        return jam_.jams(state, backward_, forward_, moves);
+    [[nodiscard]] Jammed jams(const State& state, int moves, bool anyway) const {
+        return jam_.jams(state, backward_, forward_, moves, anyway);
     }
 
     [[nodiscard]] std::size_t moves() const { return moves_; }  ///< driven in all
