@@ -22,6 +22,7 @@
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
 #include "snug/limits.hpp"
+#include "snug/start_tolerance.hpp"
 
 namespace snug::cli {
 namespace {
@@ -158,12 +159,15 @@ std::string drawn(const PictureFile& picture, View view, const EntryQuestion& qu
 /// changes.
 std::string written(Format format, const EntryQuestion& question, const Answer& answer) {
     const bool no = !answer.cancelled && !answer.parkable();
+    std::optional<StartTolerance> tolerance;
+    if (!question.baseline && format != Format::csv)
+        tolerance = start_tolerance(question.car, question.slot, answer, question.options);
     switch (format) {
-        case Format::json: return entry_json(question, answer, no ? any_maneuver(question) : std::nullopt);
+        case Format::json: return entry_json(question, answer, no ? any_maneuver(question) : std::nullopt, tolerance);
         case Format::csv: return entry_csv(answer);
         case Format::text: break;
     }
-    const std::string text = entry_text(question, answer);
+    const std::string text = entry_text(question, answer, tolerance);
     if (answer.cancelled) return text;
     if (no)
         return text + way_out_text(question, way_out(question, Strategy::max_steer,

@@ -8,6 +8,7 @@
 #include "snug/baselines.hpp"
 #include "snug/entry.hpp"
 #include "snug/fewest.hpp"
+#include "snug/start_tolerance.hpp"
 #include "snug/strategy.hpp"
 
 namespace snug::cli {
@@ -25,7 +26,8 @@ inline std::string_view strategy_name(const std::optional<Baseline>& baseline) {
 }
 
 /// What a person needs: where to put the car, how exactly, and move by move what to do. At most 80 columns.
-std::string entry_text(const EntryQuestion& question, const Answer& answer);
+std::string entry_text(const EntryQuestion& question, const Answer& answer,
+                       const std::optional<StartTolerance>& tolerance = {});
 
 /// The same for the fewest changes over all maneuvers, and what is proved.
 std::string fewest_text(const EntryQuestion& question, int max_changes, const Answer& answer);

@@ -63,17 +63,13 @@ double off_parallel(const Slot& slot, const Pose& pose) {
     return std::remainder(slot.to_slot(pose).heading, 2.0 * std::numbers::pi) / degree;
 }
 
-/// What the car is given around it, where a slot is too small for both.
-const char* with_clearance(const EntryQuestion& question) {
-    return question.options.driving.clearance > 0.0 ? " with its clearance" : "";
-}
-
 std::string refusal(const EntryQuestion& question) {
     const EntryOptions& options = question.options;
-    const std::string lacking = words(shortfall(question.car, question.slot, options.driving));
+    const std::string lacking =
+        words(shortfall(question.car, question.slot, options.driving), options.driving.clearance);
     std::string why;
     if (!lacking.empty()) {
-        why = "the slot is " + lacking + " for the car" + with_clearance(question);
+        why = "the slot is " + lacking;
     } else if (options.min_range > 0.0) {
         why = "no range of entry headings at least " + fixed(options.min_range / degree, decimals(options.min_range)) +
               " deg (" + spelled(options.min_range) + " rad) wide\nparks with " +
@@ -86,7 +82,25 @@ std::string refusal(const EntryQuestion& question) {
     return name(question.car) + " cannot park in " + slot_words(question.slot) + ":\n" + why + ".\n";
 }
 
-std::string entry_position(const EntryQuestion& question, const Answer& answer) {
+/// How far the start may be off, rounded down.
+std::string off_by(double distance) {
+    const int digits = distance < 0.01 ? 4 : 3;
+    const double units = digits == 4 ? 1e4 : 1e3;
+    return fixed(std::floor(distance * units) / units, digits);
+}
+
+Rows start_rows(const StartTolerance& tolerance, bool backward) {
+    const std::string along = backward ? " m back" : " m ahead";
+    Rows rows = {{"off by", "as far as " + off_by(tolerance.along) + along + ", or " + off_by(tolerance.out) +
+                                " m farther out, parks likewise"}};
+    if (tolerance.both_along > 0.0)
+        rows.push_back({"", "(both at once: " + off_by(tolerance.both_along) + along + " and " +
+                                off_by(tolerance.both_out) + " m out)"});
+    return rows;
+}
+
+std::string entry_position(const EntryQuestion& question, const Answer& answer,
+                           const std::optional<StartTolerance>& tolerance) {
     const EntryOptions& options = question.options;
     const bool backward = options.driving.enter == Enter::backward;
     const std::string side = question.slot.side() == Side::right ? "right" : "left";
@@ -121,6 +135,10 @@ std::string entry_position(const EntryQuestion& question, const Answer& answer) 
     rows.push_back({"rear axle", metres(std::abs(ahead)) + (ahead <= 0.0 ? " behind" : " ahead of") + " the slot's " +
                                      touching + " corner, " + metres(std::abs(in_slot.y)) +
                                      (in_slot.y < 0.0 ? " inside the slot" : " out in the road")});
+    if (tolerance) {
+        const Rows allowed = start_rows(*tolerance, backward);
+        rows.insert(rows.end(), allowed.begin(), allowed.end());
+    }
     rows.push_back({"room", metres(backward ? room.rear : room.front) + " to the " + (backward ? "rear" : "front") +
                                 " neighbour, " + metres(room.curb) + " to the curb"});
     rows.push_back({"road", "the car stands " + metres(room.road) + " out in the road"});
@@ -147,14 +165,24 @@ std::string moves(const EntryQuestion& question, const Maneuver& maneuver, const
 }
 
 std::string result(const EntryQuestion& question, const Maneuver& maneuver) {
+    constexpr double parallel = 1e-6;  // [deg]
+    constexpr double centred = 1e-3;   // [m]
     const Around left = around(question.car, question.slot, maneuver.goal());
-    return "\nHow it ends\n" +
-           table({{"driven", driven(maneuver)},
-                  {"swing-out", metres(swept(maneuver, question.slot).y_max) + " into the road at most"},
-                  {"gaps", metres(left.front) + " to the front neighbour, " + metres(left.rear) + " to the rear one,"},
-                  {"", metres(left.curb) + " to the curb, " + metres(-left.road) + " to the road"},
-                  {"angle", fixed(std::abs(off_parallel(question.slot, maneuver.goal())), 3) + " deg off parallel"}},
-                 "ll");
+    const double angle = std::abs(off_parallel(question.slot, maneuver.goal()));
+    Rows rows = {{"driven", driven(maneuver)},
+                 {"swing-out", metres(swept(maneuver, question.slot).y_max) + " into the road at most"},
+                 {"gaps", metres(left.front) + " to the front neighbour, " + metres(left.rear) + " to the rear one,"},
+                 {"", metres(left.curb) + " to the curb, " + metres(-left.road) + " to the road"},
+                 {"angle", fixed(angle, 3) + " deg off parallel"}};
+    // Straight driving keeps a parallel car where it is between road and curb.
+    const double ahead = (left.front - left.rear) / 2.0;
+    if (angle < parallel && std::abs(ahead) > centred) {
+        const bool goes_on = (maneuver.moves.back().direction == Direction::forward) == (ahead > 0.0);
+        rows.push_back({"centred", "after " + metres(std::abs(ahead)) + " straight " +
+                                       (ahead > 0.0 ? "ahead" : "back") +
+                                       (goes_on ? ", no further change" : ", one change more")});
+    }
+    return "\nHow it ends\n" + table(rows, "ll");
 }
 
 /// All ranges, when there is more to tell than the best one.
@@ -220,7 +248,8 @@ std::string proof(const EntryQuestion& question, const Answer& answer) {
 
 }  // namespace
 
-std::string entry_text(const EntryQuestion& question, const Answer& answer) {
+std::string entry_text(const EntryQuestion& question, const Answer& answer,
+                       const std::optional<StartTolerance>& tolerance) {
     if (answer.cancelled) {
         return "Given up before there was an answer.\n";
     }
@@ -230,7 +259,7 @@ std::string entry_text(const EntryQuestion& question, const Answer& answer) {
     std::string text = name(question.car) + " parks in " + slot_words(question.slot) + "\nwith " +
                        changes(answer.direction_changes.value_or(0)) + ".\n";
     if (answer.maneuver) {
-        text += entry_position(question, answer) + moves(question, *answer.maneuver, "stop: parked") +
+        text += entry_position(question, answer, tolerance) + moves(question, *answer.maneuver, "stop: parked") +
                 result(question, *answer.maneuver);
     }
     const std::string proved = proof(question, answer);
@@ -251,9 +280,9 @@ std::string proof(const Answer& answer) {
 std::string no_way(const EntryQuestion& question, const char* what, int max_changes, const Answer& answer) {
     const std::string car_and_slot =
         name(question.car) + (answer.proved ? " cannot " : " may ") + what + " " + slot_words(question.slot) + ":\n";
-    const std::string lacking = words(shortfall(question.car, question.slot, question.options.driving));
-    if (!lacking.empty())
-        return car_and_slot + "the slot is " + lacking + " for the car" + with_clearance(question) + ".\n";
+    const Driving& driving = question.options.driving;
+    const std::string lacking = words(shortfall(question.car, question.slot, driving), driving.clearance);
+    if (!lacking.empty()) return car_and_slot + "the slot is " + lacking + ".\n";
     const std::string most = (max_changes == 0 ? "" : "up to ") + changes(max_changes);
     if (answer.proved) return car_and_slot + "no maneuver whatsoever does with " + most + ", which is proved.\n";
     const std::string found = car_and_slot + "no maneuver was found with " + most;

@@ -21,9 +21,11 @@ std::string cars_json(const std::vector<Car>& cars) {
     return write(list);
 }
 
-std::string entry_json(const EntryQuestion& question, const Answer& answer, const std::optional<Answer>& any_maneuver) {
+std::string entry_json(const EntryQuestion& question, const Answer& answer, const std::optional<Answer>& any_maneuver,
+                       const std::optional<StartTolerance>& tolerance) {
     Json json = as_json(question.car, question.slot, question.options, answer, strategy_name(question.baseline));
     if (any_maneuver) json["any_maneuver"] = any_maneuver_as_json(*any_maneuver);
+    if (tolerance) json["start_tolerance"] = as_json(*tolerance);
     return write(json);
 }
 

@@ -23,7 +23,8 @@ namespace snug::cli {
 std::string car_json(const Car& car);
 std::string cars_json(const std::vector<Car>& cars);
 /// With what any maneuver can do, where that was asked because the strategy cannot park.
-std::string entry_json(const EntryQuestion& question, const Answer& answer, const std::optional<Answer>& any_maneuver);
+std::string entry_json(const EntryQuestion& question, const Answer& answer, const std::optional<Answer>& any_maneuver,
+                       const std::optional<StartTolerance>& tolerance);
 std::string fewest_json(const EntryQuestion& question, const Answer& answer);
 std::string leave_json(const EntryQuestion& question, const Answer& answer);
 std::string park_json(const ParkQuestion& question, const ParkAnswer& answer);

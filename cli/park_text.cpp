@@ -183,8 +183,9 @@ std::string refusal(const ParkQuestion& question, const ParkAnswer& answer) {
         Driving driving;
         driving.clearance = question.options.clearance;
         driving.curb_clearance = question.street->curb_clearance;
-        const std::string lacking = words(shortfall(question.car, slot_of(*question.street), driving));
-        if (!lacking.empty()) return begins + "the slot is " + lacking + " for the car.\n";
+        const std::string lacking =
+            words(shortfall(question.car, slot_of(*question.street), driving), driving.clearance);
+        if (!lacking.empty()) return begins + "the slot is " + lacking + ".\n";
     }
     if (answer.impossible)
         return begins +

@@ -39,6 +39,12 @@ Json any_maneuver_as_json(const Answer& answer) {
     return json;
 }
 
+Json as_json(const StartTolerance& tolerance) {
+    return {{"along", tolerance.along},
+            {"out", tolerance.out},
+            {"both", {{"along", tolerance.both_along}, {"out", tolerance.both_out}}}};
+}
+
 Json leave_as_json(const Car& car, const Slot& slot, const Answer& answer, const Driving& driving) {
     Json json = {{"schema", 1}, {"car", as_json(car)}, {"slot", as_json(slot)}};
     add_conditions(json, driving, {});

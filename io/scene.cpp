@@ -5,15 +5,14 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
-#include <locale>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "car_file.hpp"
 #include "sentences/check.hpp"
+#include "sentences/decimals.hpp"
 #include "sentences/spelling.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
@@ -163,16 +162,17 @@ Scene scene_from_json(std::string_view text, const std::string& source) {
 
 Scene scene_from_csv(std::string_view text, const std::string& source) {
     try {
-        std::string blanks(text.substr(0, largest_scene + 1));
-        std::replace(blanks.begin(), blanks.end(), ',', ' ');
-        std::istringstream in(blanks);
-        in.imbue(std::locale::classic());
+        text = text.substr(0, largest_scene + 1);
         std::size_t read = 0;
         const auto next = [&](const char* what) {
-            double value = 0.0;
-            if (!(in >> value)) throw Error("value " + std::to_string(read + 1) + " must be " + what);
+            constexpr const char* between = ", \t\n\v\f\r";
+            text.remove_prefix(std::min(text.find_first_not_of(between), text.size()));
+            const std::string_view word = text.substr(0, text.find_first_of(between));
+            const std::optional<double> value = decimal(word);
+            if (!value) throw Error("value " + std::to_string(read + 1) + " must be " + what);
+            text.remove_prefix(word.size());
             ++read;
-            return value;
+            return *value;
         };
         const auto count = [&](const char* what, double most) {
             const double value = next(what);

@@ -2,24 +2,14 @@
 #pragma once
 
 #include <cstddef>
-#include <locale>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "sentences/decimals.hpp"
 #include "snug/error.hpp"
 
 namespace snug {
-
-/// A number as people write it, in any locale: 12 digits at most, no trailing zeros.
-inline std::string spelled(double value) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(12);
-    text << value;
-    return text.str();
-}
 
 /// Throws Error unless low <= value <= high; NaN lies nowhere. `what` reads as the start of a sentence ("car width"),
 /// `unit` with its space (" m"), or empty for a count.

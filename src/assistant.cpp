@@ -153,7 +153,7 @@ std::optional<Maneuver> Assistant::plan(const Pose& measured) const { return map
 double Assistant::expected_changes(const Pose& end, Direction driven) const {
     constexpr double along = 0.02, across = 0.012, turned = 0.006;
     constexpr double unknown = 4.0;
-    const auto [s, c] = angles::sine_cosine(end.heading);
+    const double s = angles::sin(end.heading), c = angles::cos(end.heading);
     const auto changes_at = [&](double x, double y, double heading) {
         const MapBounds bounds = map_.at({end.x + x * c - y * s, end.y + x * s + y * c, end.heading + heading});
         if (!bounds.direction_changes) return unknown;
@@ -282,10 +282,9 @@ Assistant::Arc Assistant::short_way(const Pose& measured, std::optional<Directio
     // A car that has a way gains little beyond a metre; one beside a wall has to creep off it.
     const double farthest = most_changes == std::numeric_limits<int>::max() ? 2.5 : 1.0;  // [m]
     constexpr double least_gain = 0.01;  // of an arc that only leads away: else two of them could lead to and fro [m]
-    constexpr double touch = 1e-9;
     const double room = nearest(measured);
-    if (!(room >= -touch)) return way_out(measured, lists);
-    const double kept = std::min(room, map_.clearance()) / 2.0 - touch;
+    if (!(room >= -limits::touching)) return way_out(measured, lists);
+    const double kept = std::min(room, map_.clearance()) / 2.0 - limits::touching;
     Arc best, away;
     double best_cost = std::numeric_limits<double>::infinity();
     double most_room = room + least_gain;

@@ -17,7 +17,6 @@ namespace {
 using namespace detail;
 
 constexpr std::size_t most_proof_moves = 100'000;  ///< driven for a proof: some 0.1 s at most
-constexpr double narrow = 1e-9;   ///< as wide may be in all what is undecided of an answer that is proved [rad]
 constexpr double inward = 2e-13;  ///< edges are moved this far into their range, beyond any rounding [rad]
 
 /// The smallest count for which some stretch of headings is wide enough; empty if there is none.
@@ -27,17 +26,17 @@ std::optional<int> fewest_changes(const std::vector<CountedHeadings>& ranges, do
     std::sort(counts.begin(), counts.end());
     counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
     for (const int changes : counts) {
-        if (!stretches(ranges, changes, width).empty()) return changes;
+        if (!chains(ranges, changes, width).empty()) return changes;
     }
     return std::nullopt;
 }
 
-/// The ranges of all wide enough stretches, edges rounded inward.
+/// The ranges of all wide enough chains, edges rounded inward.
 std::vector<HeadingRange> ranges_of(const std::vector<CountedHeadings>& found, int changes, double width) {
     std::vector<HeadingRange> ranges;
     int subrange = 0;
-    for (const Stretch& stretch : stretches(found, changes, width)) {
-        for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
+    for (const Chain& chain : chains(found, changes, width)) {
+        for (std::size_t i = chain.first; i <= chain.last; ++i) {
             const double edge = std::min(inward, (found[i].max - found[i].min) / 4.0);
             const double min = found[i].min > 0.0 ? found[i].min + edge : 0.0;
             ranges.push_back({min, found[i].max - edge, found[i].changes, subrange});
@@ -120,7 +119,7 @@ struct Search {
         answer.lower_bound = smaller ? claimed : std::min(proved.proved_changes + 1, claimed);
         double open = 0.0;
         for (const Headings& part : answer.undecided) open += part.max - part.min;
-        if (open > narrow) {
+        if (open > most_undecided) {
             for (const Headings& part : answer.undecided) {
                 int from = 0;
                 for (const Sliver& sliver : proved.undecided)

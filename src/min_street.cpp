@@ -1,4 +1,4 @@
-// Sizes are proved impossible range by range. Seen from where the car starts, every line of a street moves evenly with the size
+// StreetSizes are proved impossible range by range. Seen from where the car starts, every line of a street moves evenly with the size
 // sought; so what all streets of a range have in common is what its two ends have in common, and a car that cannot park between
 // those obstacles, in a slot that holds both slots, can park in none of them.
 #include "snug/min_street.hpp"
@@ -18,9 +18,9 @@ namespace snug {
 
 namespace {
 
-constexpr double usual_part = 1.0 / 200;  ///< of the car's length: the usual resolution
+constexpr double usual_street_part = 1.0 / 200;  ///< of the car's length: the usual resolution
 constexpr double usual_road = 20.0, usual_more = 4.0;
-constexpr double touch = 1e-9;  ///< deeper is contact [m]
+using limits::touching;
 
 /// What of a convex polygon lies within another, both counter-clockwise; fewer than three corners when they have no area in common.
 std::vector<Point> in_common(std::vector<Point> corners, const std::vector<Point>& other) {
@@ -79,7 +79,7 @@ Place easier_than_both(const Place& one, const Place& other) {
     if (parked.beside) {
         const Point &from = parked.beside->from, &to = parked.beside->to;
         const double apart = detail::turn(from, to, also.beside->from) / std::hypot(to.x - from.x, to.y - from.y);
-        parked.beside->distance += std::abs(apart) + touch;
+        parked.beside->distance += std::abs(apart) + touching;
     }
     easier.parked = parked;
     easier.region = around(one.region(), other.region());
@@ -88,9 +88,9 @@ Place easier_than_both(const Place& one, const Place& other) {
 
 struct GivenUp {};
 
-class Sizes {
+class StreetSizes {
 public:
-    Sizes(const Car& car, const Street& street, const MinStreetOptions& options)
+    StreetSizes(const Car& car, const Street& street, const MinStreetOptions& options)
         : car_(car), street_(street), options_(options) {
         const double more = options.sought == StreetSize::width ? car.width() : car.length();
         largest_ = options.largest > 0.0                ? options.largest
@@ -143,11 +143,11 @@ private:
 
     [[nodiscard]] Verdict verdict(const Place& place, const Pose& start) const {
         for (const PlaceGap& gap : gaps(car_, place, start, options_.clearance))
-            if (gap.distance < -touch) return Verdict::impossible;  // there is no room even to stand
+            if (gap.distance < -touching) return Verdict::impossible;  // there is no room even to stand
         ParkOptions options;
         options.max_changes = options_.max_changes;
         options.clearance = options_.clearance;
-        options.resolution = options_.resolution > 0.0 ? options_.resolution : usual_part * car_.length();
+        options.resolution = options_.resolution > 0.0 ? options_.resolution : usual_street_part * car_.length();
         options.roomiest = false;
         bool given_up = false;
         options.progress = [&](const ParkProgress& so_far) {
@@ -230,7 +230,7 @@ MinStreet min_street(const Car& car, const Street& street, const MinStreetOption
     check_between("largest size", options.largest, 0.0, limits::longest, " m");
     check_between("precision", options.precision, limits::finest, limits::longest, " m");
     check_between("resolution", options.resolution, 0.0, limits::longest, " m");
-    return Sizes(car, street, options).found();
+    return StreetSizes(car, street, options).found();
 }
 
 std::optional<double> size_of(const Street& street, StreetSize which) {

@@ -23,11 +23,11 @@ namespace {
 
 using namespace detail::sets;
 
-constexpr double half_turn = 3.141592653589793;
+using limits::half_turn;
 constexpr double usual_part = 1.0 / 800;    ///< of the car's length: the usual resolution
 constexpr double coarsest_part = 1.0 / 50;  ///< and no lattice is coarser
 constexpr double most_cells = 2e7;          ///< of the coarsest lattice
-constexpr double touch = 1e-9;              ///< deeper is contact [m]
+using limits::touching;
 
 void check(const ParkOptions& options) {
     check_between("maximum of direction changes", options.max_changes, 0.0, limits::most_changes_fewest, "");
@@ -59,20 +59,20 @@ std::vector<ParkStop> stops_of(const Maneuver& maneuver, const Place& place, dou
 void check_start(const Place& place, const ChartPlace& here) {
     for (const HalfPlane& edge : here.region) {
         const double out = edge.normal.x * here.start.x + edge.normal.y * here.start.y - edge.offset;
-        if (out > touch)
+        if (out > touching)
             throw Error("the car starts outside the region, by " + spelled(out) +
                         " m; move it, or make the region larger");
     }
     for (std::size_t i = 0; i < here.solids.size(); ++i) {
         const ChartPlace::Solid& solid = here.solids[i];
         const double deep = detail::overlap(detail::placed(here.shapes[solid.stops], here.start), solid.corners);
-        if (!(deep > touch)) continue;
+        if (!(deep > touching)) continue;
         throw Error("the car starts in contact with " + with_article(place, place.pieces()[i].obstacle) + ", " +
                     spelled(deep) + " m deep; move it away");
     }
 }
 
-bool holds_nothing(const Limits& limits) {
+bool holds_nothing(const detail::sets::Limits& limits) {
     for (const Layer& layer : limits)
         for (std::size_t i = 0; i < layer.low.size(); ++i)
             if (layer.low[i] <= layer.high[i]) return false;

@@ -24,8 +24,8 @@ using namespace detail::sets;
 
 namespace {
 
-constexpr double half_turn = 3.141592653589793;
-constexpr double touch = 1e-9;  ///< deeper is contact [m]
+using limits::half_turn;
+using limits::touching;
 
 ParkMapOptions of_street(const Street& street, const ParkMapOptions& options) {
     ParkMapOptions mine = options;
@@ -118,12 +118,12 @@ ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& optio
         throw Error(
             "the street's heading and the parked one are more than 150 degrees apart; name the nearer of the two "
             "directions of the street");
-    constexpr double most_cells = 4e6;
+    constexpr double most_map_cells = 4e6;
     const double cells = (here.x_max - here.x_min) * 2.0 * here.radius / (asked.spacing * asked.spacing);
-    if (cells > most_cells)
+    if (cells > most_map_cells)
         throw Error("the region is " + spelled(std::round(here.x_max - here.x_min)) + " m long: at a spacing of " +
                     spelled(asked.spacing) + " m its map would take " + spelled(std::round(cells / 1e5) / 10.0) +
-                    " million cells, but at most " + spelled(most_cells / 1e6) +
+                    " million cells, but at most " + spelled(most_map_cells / 1e6) +
                     " million are supported; name a smaller region, or a coarser spacing");
     const double reach = std::max(std::abs(here.y_min), std::abs(here.y_max));
     if (reach > farthest_y || here.radius > 40.0)
@@ -147,9 +147,10 @@ MapBounds ParkMap::at(const Pose& pose) const {
     MapBounds bounds;
     if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.heading)) return bounds;
     const Pose here = map.in_chart(pose);
-    if (std::abs(here.heading) > half_turn / 2.0 || std::abs(angles::sin(here.heading)) > steepest_sine) return bounds;
+    if (std::abs(here.heading) > half_turn / 2.0 || std::abs(angles::sin(here.heading)) > detail::sets::steepest_sine)
+        return bounds;
     for (const HalfPlane& edge : map.here.region)
-        if (edge.normal.x * here.x + edge.normal.y * here.y > edge.offset + touch) return bounds;
+        if (edge.normal.x * here.x + edge.normal.y * here.y > edge.offset + touching) return bounds;
     bounds.where = MapBounds::blocked;
     if (!is_clear(map.here, here)) return bounds;
     bounds.where = MapBounds::free;

@@ -20,7 +20,7 @@
 namespace snug {
 namespace {
 
-using detail::Surroundings;
+using detail::RollingContact;
 
 constexpr double kept = 1e-4;           ///< from everything [m]
 constexpr int levels = 2;               ///< of curvature from straight to full steering
@@ -85,10 +85,10 @@ private:
     double reach_;
 };
 
-class Search {
+class RollingSearch {
 public:
-    Search(const Car& car, const Place& place, const ParkMap& map, const Maneuver& standing, double creep,
-           const RollingOptions& options)
+    RollingSearch(const Car& car, const Place& place, const ParkMap& map, const Maneuver& standing, double creep,
+                  const RollingOptions& options)
         : car_(car),
           map_(map),
           options_(options),
@@ -310,7 +310,7 @@ private:
     const ParkMap& map_;
     std::vector<Guide> guides_;
     const RollingOptions& options_;
-    Surroundings around_;
+    RollingContact around_;
     double fullest_, sharpness_;
     double turn_, hold_;  ///< lengths of a piece with the steering turned by a level, and held [m]
     std::vector<Node> nodes_;
@@ -349,10 +349,10 @@ RollingAnswer park_rolling(const Car& car, const Place& place, const Pose& start
     if (!standing) return answer;
     const int fewest = std::min(*bounds.direction_changes, standing->direction_changes());
     answer.standing_changes = fewest;
-    std::vector<std::pair<double, Search>> searches;
+    std::vector<std::pair<double, RollingSearch>> searches;
     for (const double times : {4.0, 2.0, 1.0}) {
         const double creep = times * options.creep;
-        searches.emplace_back(creep, Search(car, place, map, *standing, creep, options));
+        searches.emplace_back(creep, RollingSearch(car, place, map, *standing, creep, options));
     }
     const int most = std::min(fewest + options.most_more, options.max_changes);
     for (int allowed = fewest; allowed <= most; ++allowed) {

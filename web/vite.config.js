@@ -14,9 +14,23 @@ const minifiedGlue = {
     },
 };
 
+/** The solver is on its way before the page's own script has been read. */
+const preloaded = {
+    name: "preloaded",
+    transformIndexHtml: {
+        order: "post",
+        handler: (_, { bundle, filename }) =>
+            Object.keys(filename.endsWith("index.html") ? (bundle ?? {}) : {}).flatMap((name) => {
+                const tag = (attrs) => [{ tag: "link", attrs: { ...attrs, href: `./${name}`, crossorigin: "" }, injectTo: "head" }];
+                if (name.endsWith(".wasm")) return tag({ rel: "preload", as: "fetch", type: "application/wasm" });
+                return name.endsWith(".mjs") ? tag({ rel: "modulepreload" }) : [];
+            }),
+    },
+};
+
 export default defineConfig({
     base: "./",
-    plugins: [minifiedGlue, { name: "no-indentation", transformIndexHtml: (html) => html.replace(/\n\s+/g, "\n") }],
+    plugins: [minifiedGlue, preloaded, { name: "no-indentation", transformIndexHtml: (html) => html.replace(/\n\s+/g, "\n") }],
     resolve: {
         alias: [
             { find: /^snug\.mjs/, replacement: `${solver}/snug.mjs` },

@@ -73,6 +73,21 @@ std::optional<AskedAnswer> AskedAnswer::any_maneuver() const {
     return other;
 }
 
+std::optional<StartTolerance> AskedAnswer::start_tolerance() const {
+    if (!parkable() || leaving || cell || strategy != to_string(Strategy::max_steer)) return std::nullopt;
+    if (!off_) {
+        EntryOptions options;
+        options.driving = driving;
+        options.parked = parked();
+        const auto found = [&] {
+            const py::gil_scoped_release interpreter;
+            return snug::start_tolerance(*car, *slot, *this, options);
+        }();
+        off_ = std::make_shared<const std::optional<StartTolerance>>(found);
+    }
+    return *off_;
+}
+
 std::string json_text(const Car& car) { return write(as_json(car)); }
 std::string json_text(const Slot& slot) { return write(as_json(slot)); }
 std::string json_text(const Pose& pose) { return write(as_json(pose)); }
@@ -107,6 +122,7 @@ std::string json_text(const AskedAnswer& answer) {
         options.prove = answer.prove;
         json = as_json(*answer.car, *answer.slot, options, answer, answer.strategy);
         if (const auto any = answer.any_maneuver()) json["any_maneuver"] = any_maneuver_as_json(*any);
+        if (const auto tolerance = answer.start_tolerance()) json["start_tolerance"] = as_json(*tolerance);
     }
     if (answer.cell)
         json["cell"] = {{"length", answer.cell->min},
@@ -126,6 +142,13 @@ std::string json_text(const AskedMinSlot& slot) {
         list.begin({{"schema", 1}, {"car", as_json(*slot.car)}, {"strategy", to_string(slot.strategy)}}, "rows");
     text += list.item(as_json(slot, options));
     return text + list.end();
+}
+
+std::string json_text(const AskedMinStreet& street) {
+    MinStreetOptions options;
+    options.sought = street.sought;
+    options.clearance = street.clearance;
+    return write(min_streets_as_json(*street.car, {*street.street}, options, {street}));
 }
 
 std::string json_text(const AskedPark& answer) {

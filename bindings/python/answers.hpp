@@ -32,10 +32,13 @@ struct AskedAnswer : Answer {
     }
     /// What all maneuvers can do where the strategy cannot park.
     [[nodiscard]] std::optional<AskedAnswer> any_maneuver() const;
+    /// By how much the start of its maneuver may be off, of full steering.
+    [[nodiscard]] std::optional<StartTolerance> start_tolerance() const;
 
 private:
     /// Found once: copies share it.
     mutable std::shared_ptr<const std::optional<Answer>> any_;
+    mutable std::shared_ptr<const std::optional<StartTolerance>> off_;
 };
 
 /// Of min_slot().
@@ -44,6 +47,14 @@ struct AskedMinSlot : MinSlot {
     Strategy strategy = Strategy::max_steer;
     bool prove = false;
     Sought sought = Sought::length;
+};
+
+/// Of min_street().
+struct AskedMinStreet : MinStreet {
+    std::optional<Car> car;
+    std::optional<Street> street;
+    StreetSize sought = StreetSize::road;
+    double clearance = 0.0;
 };
 
 /// Of max_steer() and stepping().
@@ -84,6 +95,7 @@ std::string json_text(const Scene& scene);
 std::string json_text(const HeadingRange& range);
 std::string json_text(const AskedAnswer& answer);
 std::string json_text(const AskedMinSlot& slot);
+std::string json_text(const AskedMinStreet& street);
 std::string json_text(const AskedPark& answer);
 
 // The solver's own pictures as SVG; empty where there is nothing to see.

@@ -73,6 +73,10 @@ template <>
 std::vector<std::pair<std::string_view, Sought>> words() {
     return spelled<Sought>({Sought::length, Sought::width});
 }
+template <>
+std::vector<std::pair<std::string_view, StreetSize>> words() {
+    return spelled<StreetSize>({StreetSize::road, StreetSize::width, StreetSize::length});
+}
 
 void complain(const std::string& name, const std::string& wanted, py::handle given) {
     throw py::type_error(name + " must be " + wanted + ", not " + Py_TYPE(given.ptr())->tp_name);

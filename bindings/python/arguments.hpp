@@ -52,6 +52,8 @@ template <>
 std::vector<std::pair<std::string_view, MapBounds::Where>> words();
 template <>
 std::vector<std::pair<std::string_view, Sought>> words();
+template <>
+std::vector<std::pair<std::string_view, StreetSize>> words();
 
 template <class Enumeration>
 std::string_view word(Enumeration value) {

@@ -124,6 +124,61 @@ void define_places(py::module_& module) {
            });
 }
 
+void define_min_street(py::module_& module) {
+    Value<AskedMinStreet>(module, "MinStreet", "A street that is just large enough, as far as it is known.")
+        .field("max_changes", &AskedMinStreet::max_changes, "Direction changes allowed.")
+        .field("size", &AskedMinStreet::size,
+               "The car parks there [m]; None where nothing within the limits is found to do.")
+        .field("lower", &AskedMinStreet::lower, "In none smaller does it park: proved [m].")
+        .field("cancelled", &AskedMinStreet::cancelled, "The progress callback gave up.")
+        .field("car", &AskedMinStreet::car, "The car asked about.", "Car")
+        .field("street", &AskedMinStreet::street, "The street asked about.", "Street")
+        .field("sought", &AskedMinStreet::sought, "Which size was asked for.")
+        .field("clearance", &AskedMinStreet::clearance, "As asked [m].")
+        .said([](const AskedMinStreet& s) {
+            return "MinStreet: " + (s.car->name().empty() ? "a car" : s.car->name()) + " with " +
+                   counted(s.max_changes, "direction change") + ", " + std::string(to_string(s.sought)) + " " +
+                   (s.size ? few_digits(*s.size) + " m" : "-");
+        })
+        .finish();
+    define(module,
+           "min_street(car: Car, street: Street, *, sought: " + literal<StreetSize>() +
+               " = 'road', max_changes: int = 0, clearance: float = 0.0, largest: float = 0.0, precision: float = "
+               "0.01, resolution: float = 0.0, " +
+               progress_parameter + ") -> MinStreet",
+           "The narrowest road, or the narrowest or shortest bay, with which the car parks from standard_start() with "
+           "at\n"
+           "most `max_changes` direction changes, over all maneuvers: a MinStreet. The size of `street` that is sought "
+           "is not\n"
+           "looked at.\n\n"
+           "Nothing larger than `largest` is looked at [m]; 0 is a road of 20 m, a bay 4 m wider or longer than the "
+           "car.\n"
+           "Both bounds are found to `precision` [m], as far as the `resolution` lets them: the spacing of the finest "
+           "lattice\n"
+           "[m], 0 a two-hundredth of the car's length. `progress` is told the part done; returning False ends with "
+           "what is\n"
+           "known so far.",
+           [](const Arguments& given) {
+               AskedMinStreet asked;
+               asked.car = given.get<Car>("car");
+               asked.street = given.get<Street>("street");
+               MinStreetOptions options;
+               given.read("sought", options.sought);
+               given.read("max_changes", options.max_changes);
+               given.read("clearance", options.clearance);
+               given.read("largest", options.largest);
+               given.read("precision", options.precision);
+               given.read("resolution", options.resolution);
+               Progress progress(given.callback("progress"));
+               options.progress = [&](double part) { return progress.tell(part); };
+               static_cast<MinStreet&>(asked) =
+                   interruptible(progress, [&] { return min_street(*asked.car, *asked.street, options); });
+               asked.sought = options.sought;
+               asked.clearance = options.clearance;
+               return asked;
+           });
+}
+
 void define_park(py::module_& module) {
     Value<ParkStop>(module, "ParkStop", "What the car is nearest to where it stops.")
         .field("obstacle", &ParkStop::obstacle, "Of the place, from 0.")
@@ -331,6 +386,7 @@ void define_map(py::module_& module) {
 void define_parking(py::module_& module) {
     define_places(module);
     define_park(module);
+    define_min_street(module);
     define_map(module);
 }
 

@@ -87,7 +87,7 @@ void define_baselines(py::module_& module) {
     Value<AskedRun>(module, "MaxSteerRun", "How a run of the strategy went.")
         .field("outcome", &AskedRun::outcome,
                "'parked'; 'no_entry': no possible entry position; 'stuck': in contact both ways; 'never_touches':\n"
-               "circles freely and never gets inside; 'too_many_changes'.")
+               "turned away, nose to the curb, before it was inside; 'too_many_changes'.")
         .field("maneuver", &AskedRun::maneuver, "The moves driven, however the run ended; none for 'no_entry'.",
                "Maneuver")
         .field("slot", &AskedRun::slot, "The slot asked about.", "Slot")
@@ -195,6 +195,18 @@ void define_entry(py::module_& module) {
         .field("direction_changes", &HeadingRange::direction_changes, "What every heading of the range needs.")
         .field("subrange", &HeadingRange::subrange, "Ranges that touch share it: the paper's subranges.")
         .finish();
+    Value<StartTolerance>(
+        module, "StartTolerance",
+        "How far off the entry position the car may stand when full steering begins, its heading as it\n"
+        "should be: along the slot towards the other neighbour, and out into the road. Every start up to\n"
+        "there parks with no more direction changes: proved.")
+        .field("heading", &StartTolerance::heading, "Of the entry position, off parallel [rad].")
+        .field("direction_changes", &StartTolerance::direction_changes, "From the entry position.")
+        .field("along", &StartTolerance::along, "Farther along by at most this, no farther out [m].")
+        .field("out", &StartTolerance::out, "Farther out by at most this, no farther along [m].")
+        .field("both_along", &StartTolerance::both_along, "Farther along by at most this [m],")
+        .field("both_out", &StartTolerance::both_out, "and at once farther out by at most this [m].")
+        .finish();
     Value<AskedAnswer>(module, "Answer", "What entry(), fewest(), leave() or an Atlas found, and what is proved.")
         .property("parkable", &AskedAnswer::parkable, "Whether a maneuver was found.")
         .field("cancelled", &AskedAnswer::cancelled,
@@ -214,6 +226,10 @@ void define_entry(py::module_& module) {
                   "Where the strategy of entry() cannot park: what any maneuver can, as fewest() answers within two "
                   "seconds;\n"
                   "None where it parks, and where that is beyond the search. Looked for when first asked.")
+        .property(
+            "start_tolerance", &AskedAnswer::start_tolerance,
+            "Of entry() by full steering: how far the start of the maneuver may be off; None of any other. Looked "
+            "for when\nfirst asked.")
         .field("spacing", &AskedAnswer::spacing,
                "Of fewest() and leave(): of the finest lattice that was needed [m]; 0 if none was.")
         .field("cell", &AskedAnswer::cell, "Of an Atlas: length and width of the stored slot [m].")

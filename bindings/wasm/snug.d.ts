@@ -107,7 +107,7 @@ interface Common {
 
 export interface EntryOptions extends Common {
     min_range?: number;
-    /** Show that no heading is missed, which takes some milliseconds; the answer then has `proved` and `undecided`. */
+    /** Show that no heading is missed, the usual; `false` leaves that out, which takes a tenth of the time. */
     prove?: boolean;
     /** Told the part done, 0 to 1; returning false gives the question up. */
     progress?: (part: number) => boolean | void;
@@ -122,7 +122,7 @@ export interface EntryAnswer {
     /** Null when the question was given up. */
     parkable: boolean | null;
     direction_changes?: number;
-    /** The three of a proof: where `prove` was asked for. */
+    /** The three of a proof: unless `prove` is false. */
     proved?: boolean;
     undecided?: { heading_min: number; heading_max: number }[];
     /** None parks with so many: where the car cannot park. */
@@ -180,6 +180,8 @@ export interface MinSlotOptions extends Common {
     front_setback?: number;
     rear_setback?: number;
     curb?: "high" | "low";
+    /** "max-steer": show also below which size nothing parks; the row then has `length_lower`, and `open` between. */
+    prove?: boolean;
     /** For "fewest". */
     resolution?: number;
     precision?: number;
@@ -194,6 +196,14 @@ export interface MinSlotRow {
     /** "fewest": parking is proved impossible in any shorter, or narrower, slot. */
     length_lower?: number;
     width_lower?: number;
+}
+
+/** A car of a public data sheet. */
+export interface SheetCar extends Car {
+    /** Publisher and title of what has the lengths. */
+    sheet: string;
+    /** As printed, and which circle that is, as far as it is said. */
+    circle: string;
 }
 
 export interface MaxSteerRun {
@@ -308,6 +318,7 @@ export interface Snug {
     readonly version: string;
     /** The paper's five cars. */
     cars(): Car[];
+    sheetCars(): SheetCar[];
     /** All entry headings that park with the fewest changes, or with at most `max_changes`: Problems 1 and 2. */
     entry(car: CarLike, slot: SlotLike, options?: EntryOptions): EntryAnswer;
     /** The paper's strategy from one entry heading. */

@@ -48,6 +48,13 @@ std::optional<int> count_given(const val& object, const char* key) {
     return static_cast<int>(*value);
 }
 
+std::optional<bool> flag_given(const val& object, const char* key) {
+    const std::optional<val> value = given(object, key);
+    if (value && !value->isTrue() && !value->isFalse())
+        throw Error(std::string("\"") + key + "\" must be true or false");
+    return value ? std::optional(value->isTrue()) : std::nullopt;
+}
+
 /// One of two words; the first where nothing is given.
 bool second_word(const val& object, const char* key, const std::string& first, const std::string& second) {
     const std::optional<val> value = given(object, key);
@@ -130,6 +137,20 @@ val cars() {
     });
 }
 
+/// The cars of data sheets, each with the sheet that has its lengths and the circle as printed there.
+val sheet_cars_question() {
+    return answered([] {
+        Json list = Json::array();
+        for (const SheetCar& known : sheet_cars()) {
+            Json car = as_json(known.car);
+            car["sheet"] = known.sheet;
+            car["circle"] = known.circle;
+            list.push_back(std::move(car));
+        }
+        return as_object(list);
+    });
+}
+
 /// A car as it is understood: by its name, or from what a car file says.
 val car_question(const val& given_car) {
     return answered([&] { return as_object(as_json(car_from(given_car))); });
@@ -142,8 +163,7 @@ val entry_question(const val& given_car, const val& given_slot, const val& given
         auto options = common<EntryOptions>(given_options);
         options.max_changes = count_given(given_options, "max_changes");
         options.min_range = number_given(given_options, "min_range").value_or(0.0);
-        const std::optional<val> prove = given(given_options, "prove");
-        options.prove = prove && prove->as<bool>();  // the page answers within a frame and says what it is
+        options.prove = flag_given(given_options, "prove").value_or(options.prove);
         if (const std::optional<val> progress = given(given_options, "progress"))
             options.progress = [progress](double part) { return goes_on(*progress, part); };
         return as_object(as_json(car, slot, options, entry(car, slot, options)));
@@ -170,7 +190,7 @@ FewestOptions fewest_options(const val& object) {
     options.max_changes = count_given(object, "max_changes").value_or(options.max_changes);
     options.resolution = number_given(object, "resolution").value_or(0.0);
     options.time_limit = number_given(object, "time_limit").value_or(options.time_limit);
-    if (const std::optional<val> roomiest = given(object, "roomiest")) options.roomiest = !roomiest->isFalse();
+    options.roomiest = flag_given(object, "roomiest").value_or(options.roomiest);
     if (const std::optional<val> progress = given(object, "progress"))
         options.progress = [progress,
                             last = FewestProgress{-1, std::nullopt, 0.0, 0.0}](const FewestProgress& so_far) mutable {
@@ -226,6 +246,7 @@ val min_slot_question(const val& given_car, const val& given_options) {
         options.curb = second_word(given_options, "curb", "high", "low") ? Curb::low : Curb::high;
         options.resolution = number_given(given_options, "resolution").value_or(0.0);
         options.precision = number_given(given_options, "precision").value_or(options.precision);
+        options.prove = flag_given(given_options, "prove").value_or(options.prove);
         return as_object(as_json(min_slot(car, width ? *width : *length, options), options));
     });
 }
@@ -423,6 +444,7 @@ void with_options(const char* name) {
 EMSCRIPTEN_BINDINGS(snug) {
     emscripten::constant("version", std::string(SNUG_VERSION));
     emscripten::function("cars", &cars);
+    emscripten::function("sheetCars", &sheet_cars_question);
     with_options<&entry_question>("entry");
     with_options<&max_steer_question>("maxSteer");
     emscripten::function("minSlot", &min_slot_question);

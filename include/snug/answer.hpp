@@ -40,7 +40,7 @@ struct Answer {
     bool cancelled = false;
     /// Full steering: the headings that park, in rising order.
     std::vector<HeadingRange> ranges;
-    /// Full steering: headings wider than the ends of ranges (1e-11 rad) of which nothing is claimed.
+    /// Full steering: headings of which nothing is claimed. The ends of ranges, to 1e-11 rad, are not listed.
     std::vector<Headings> undecided;
     /// One best maneuver.
     std::optional<Maneuver> maneuver;

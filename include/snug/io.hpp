@@ -15,6 +15,7 @@
 #include "snug/park.hpp"
 #include "snug/rolling.hpp"
 #include "snug/scene.hpp"
+#include "snug/start_tolerance.hpp"
 #include "snug/trajectory.hpp"
 #include "snug/waypoints.hpp"
 
@@ -57,6 +58,8 @@ Json as_json(const Car& car, const Slot& slot, std::optional<int> max_changes, c
              const Driving& driving = {}, const Parked& parked = {});
 /// `any_maneuver`: what all maneuvers can where a strategy cannot park; `direction_changes` is null where none was found.
 Json any_maneuver_as_json(const Answer& answer);
+/// `start_tolerance`: how far the start may be off along the slot, out into the road, and both at once.
+Json as_json(const StartTolerance& tolerance);
 /// A row of `snug min-slot --format json`.
 Json as_json(const MinSlot& slot, const MinSlotOptions& options);
 /// The same number of rows for every street, counts inside, as min_streets() has them.

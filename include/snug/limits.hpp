@@ -19,7 +19,9 @@ inline constexpr int most_changes = 100'000;       ///< that full steering may b
 inline constexpr int most_changes_fewest = 1'000;  ///< that a search over all maneuvers may be allowed
 
 inline constexpr double quarter_turn = std::numbers::pi / 2.0;  ///< entry headings end there [rad]
+inline constexpr double half_turn = std::numbers::pi;           ///< [rad]
 
-inline constexpr double finest = 1e-9;  ///< the least spacing of a lattice, or of waypoints [m]
+inline constexpr double finest = 1e-9;    ///< the least spacing of a lattice, or of waypoints [m]
+inline constexpr double touching = 1e-9;  ///< what overlaps no deeper than this touches [m]
 
 }  // namespace snug::limits

@@ -15,7 +15,7 @@ enum class Outcome {
     parked,            ///< the frame is inside the slot
     no_entry,          ///< the heading is no possible entry position, or the first move cannot start
     stuck,             ///< in contact both ways: the next move has no length
-    never_touches,     ///< the car circles freely and never gets inside
+    never_touches,     ///< the car turns until it stands straight across, nose to the curb, and never gets inside
     too_many_changes,  ///< still not parked after the allowed direction changes
 };
 

@@ -25,6 +25,7 @@
 #include "snug/place.hpp"
 #include "snug/rolling.hpp"
 #include "snug/slot.hpp"
+#include "snug/start_tolerance.hpp"
 #include "snug/stepping.hpp"
 #include "snug/strategy.hpp"
 #include "snug/trajectory.hpp"

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "model/angles.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::detail::sets {
 
@@ -33,7 +34,7 @@ Pose Chart::to_world(const Pose& here) const {
 
 namespace {
 
-constexpr double half_turn = 3.141592653589793;
+using limits::half_turn;
 
 std::vector<HalfPlane> half_planes(const std::vector<Point>& corners) {
     std::vector<HalfPlane> edges;

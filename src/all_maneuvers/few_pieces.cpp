@@ -1,6 +1,7 @@
 #include "all_maneuvers/few_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -21,8 +22,18 @@ double turned_left(double angle) {
     return left_over < 0.0 ? left_over + full_turn : left_over;
 }
 
-/// One of them has at most three pieces, and there are at most four.
-using Pieces = Few<Path, 3>;
+/// At most three.
+struct Pieces {
+    std::array<Path, 3> all;
+    std::size_t count = 0;
+
+    [[nodiscard]] std::size_t size() const { return count; }
+    [[nodiscard]] bool empty() const { return count == 0; }
+    [[nodiscard]] const Path* begin() const { return all.data(); }
+    [[nodiscard]] const Path* end() const { return all.data() + count; }
+    [[nodiscard]] const Path& back() const { return all[count - 1]; }
+    void push_back(const Path& piece) { all[count++] = piece; }
+};
 using Ways = Few<Pieces, 4>;
 
 /// Ways of an arc, a straight line and an arc from one pose to another, driven forward or backward (Dubins 1957), the
@@ -202,7 +213,7 @@ void with_few_pieces(const ChartPlace& place, const std::vector<Path>& way, std:
             }
             if (best.empty()) {  // as it was
                 best.push_back(move[i]);
-                best[0].start = at;
+                best.all[0].start = at;
                 reached = i + 1;
             }
             for (Path piece : best) {

@@ -10,7 +10,6 @@ namespace snug::detail::sets {
 
 namespace {
 
-constexpr double wary = 1e-7;              ///< so much is kept from the ends of intervals: sums are rounded [m]
 constexpr std::size_t most_intervals = 4;  ///< at a node; more are of no use
 
 }  // namespace

@@ -17,9 +17,7 @@
 
 namespace snug::detail::sets {
 
-struct Interval {
-    double low = 0.0, high = 0.0;
-};
+constexpr double wary = 1e-7;  ///< so much is kept from the ends of intervals: sums are rounded [m]
 
 /// Intervals of y for nodes.
 struct InnerSet {

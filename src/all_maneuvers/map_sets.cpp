@@ -9,16 +9,14 @@
 #include "all_maneuvers/steps.hpp"
 #include "model/angles.hpp"
 #include "model/polygon.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::detail::sets {
 
 namespace {
 
-constexpr double wary = 1e-7;                ///< so much is kept from the ends of intervals: sums are rounded [m]
 constexpr double near_end = 1e-8;            ///< and so much less will do afterwards [m]
 constexpr double begin_grid = 1.0 / 1024.0;  ///< to which moves begin, rounded inward, so that sets do not creep [m]
-
-double cosine_of(double sine) { return std::sqrt((1.0 - sine) * (1.0 + sine)); }
 
 /// Of what was logged for each level, the first one first, what belongs to each cell.
 template <class Level, class Logged, class Make>
@@ -434,7 +432,6 @@ void InnerMap::each_begin(Direction leaving, int row, int column, int changes, c
 }
 
 bool InnerMap::is_apart(const Moved& from, const Moved& to, double side) const {
-    constexpr double touch = 1e-9;  ///< deeper is contact [m]
     // Both ends turned about one centre. What a point reaches along a direction lies between that at the ends, unless it
     // turns back on the way: then it is off by no more than an arc bulges.
     const double angle = std::abs(to.at.heading - from.at.heading);
@@ -449,7 +446,8 @@ bool InnerMap::is_apart(const Moved& from, const Moved& to, double side) const {
         return most + off * angles::hypot(n.x, n.y) * angles::hypot(one.x - about.x, one.y - about.y);
     };
     for (const HalfPlane& edge : place_.region)
-        if (most_along(edge.normal, {from.at.x, from.at.y}, {to.at.x, to.at.y}, centre) > edge.offset + touch)
+        if (most_along(edge.normal, {from.at.x, from.at.y}, {to.at.x, to.at.y}, centre) >
+            edge.offset + limits::touching)
             return false;
     for (const ChartPlace::Solid& solid : place_.solids) {
         const std::vector<Point>& shape = place_.shapes[solid.stops];
@@ -460,7 +458,7 @@ bool InnerMap::is_apart(const Moved& from, const Moved& to, double side) const {
             const double length = angles::hypot(n.x, n.y);
             if (!(length > 0.0)) return false;
             return std::all_of(shape.begin(), shape.end(), [&](const Point& p) {
-                return most_along(n, from.of(p), to.of(p), centre) <= least + touch * length;
+                return most_along(n, from.of(p), to.of(p), centre) <= least + limits::touching * length;
             });
         };
         bool apart = false;
@@ -475,7 +473,7 @@ bool InnerMap::is_apart(const Moved& from, const Moved& to, double side) const {
             const Point n = {one.y - two.y, two.x - one.x};  // into the car
             const double edge = n.x * one.x + n.y * one.y, length = angles::hypot(n.x, n.y);
             apart = std::all_of(solid.corners.begin(), solid.corners.end(), [&](const Point& p) {
-                return most_along(n, from.seen(p), to.seen(p), centre_seen) <= edge + touch * length;
+                return most_along(n, from.seen(p), to.seen(p), centre_seen) <= edge + limits::touching * length;
             });
             // Or along the way of a corner.
             const Point begin = from.of(one), end = to.of(one);

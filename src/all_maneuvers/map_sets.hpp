@@ -77,7 +77,8 @@ public:
     [[nodiscard]] double radius() const { return place_.radius; }
     [[nodiscard]] double sine(int column) const { return column * sine_step_; }
     [[nodiscard]] double level(int column) const {
-        return level_[static_cast<std::size_t>(column - first_column_ + 1)];
+        const int after_first = column - first_column_ + 1;
+        return level_[static_cast<std::size_t>(after_first)];
     }
     [[nodiscard]] std::size_t bytes() const;
 

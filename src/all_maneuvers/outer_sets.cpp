@@ -17,7 +17,6 @@ constexpr Micro coarse_grid = 512;      ///< to which direction changes are roun
 Micro rounded_up(double metres) { return static_cast<Micro>(std::ceil(metres / micro + 1e-3)); }
 Micro rounded_down(double metres) { return static_cast<Micro>(std::floor(metres / micro - 1e-3)); }
 
-double cosine_of(double sine) { return std::sqrt((1.0 - sine) * (1.0 + sine)); }
 double clamped(double sine) { return std::clamp(sine, -steepest_sine, steepest_sine); }
 double tangent_of(double sine) { return sine / cosine_of(sine); }
 
@@ -152,9 +151,6 @@ void OuterLattice::number_columns() {
 }
 
 void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const Watching& watch) {
-    struct Interval {
-        double low, high;
-    };
     // Columns that have a heading of the chart in them.
     int first_column = first_column_, last_column = last_column_;
     while (sine(first_column) + sine_step_ < -steepest_sine) ++first_column;

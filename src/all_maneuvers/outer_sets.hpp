@@ -12,6 +12,7 @@
 // outward: sums are exact, so "nothing was added" is exact, too.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -27,6 +28,14 @@ using Micro = std::int32_t;
 constexpr double micro = 0x1p-22;
 constexpr Micro nowhere = 805306368;  ///< 192 m: farther than anything
 constexpr double farthest_y = 100.0;  ///< the region lies within [m]
+
+/// Of x or y, open at neither end [m].
+struct Interval {
+    double low = 0.0, high = 0.0;
+};
+
+/// Of a heading in the chart with that sine.
+inline double cosine_of(double sine) { return std::sqrt((1.0 - sine) * (1.0 + sine)); }
 
 /// Looks whether time is up or the caller has had enough, and throws Stopped if so.
 using Watching = std::function<void()>;

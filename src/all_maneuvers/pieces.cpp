@@ -8,6 +8,7 @@
 #include "contact/entering.hpp"
 #include "model/angles.hpp"
 #include "snug/contact.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::detail {
 
@@ -17,8 +18,8 @@ constexpr std::size_t most_tries = 500'000;  ///< pieces driven to see which can
 constexpr int most_bridges = 20'000;         ///< short cuts looked for in a round
 constexpr std::size_t ways_across = 12;      ///< tried for each
 constexpr int most_rounds = 4;
-constexpr double touching = 1e-9;  ///< closer to its end than this a move ends in contact [m]
-constexpr double half_turn = 3.14159265358979323846;
+using limits::half_turn;
+using limits::touching;  // closer to its end a move ends in contact
 
 }  // namespace
 

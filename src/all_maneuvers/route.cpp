@@ -7,12 +7,13 @@
 
 #include "all_maneuvers/steps.hpp"
 #include "model/angles.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::detail::sets {
 
 namespace {
 
-constexpr double touch = 1e-9;  ///< deeper is contact [m]
+using limits::touching;
 
 }  // namespace
 
@@ -104,7 +105,7 @@ bool is_out_of_reach(const std::vector<Point>& shape, const Path& piece, const s
 
 bool is_parked(const ChartPlace& place, const Pose& pose) {
     const auto [sine, cosine] = angles::sine_cosine(pose.heading);
-    if (sine < place.parked_from - touch || sine > place.parked_to + touch) return false;
+    if (sine < place.parked_from - touching || sine > place.parked_to + touching) return false;
     for (const ParkedLimit& limit : place.parked) {
         const Point& n = limit.within.normal;
         double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -119,7 +120,7 @@ bool is_parked(const ChartPlace& place, const Pose& pose) {
             }
         }
         const double at = limit.of == ParkedLimit::nearest_point ? least : most;
-        if (at > limit.within.offset + touch) return false;
+        if (at > limit.within.offset + touching) return false;
     }
     return true;
 }
@@ -135,7 +136,7 @@ bool is_clear(const ChartPlace& place, const Pose& pose) {
             const Point &from = solid.corners[i], &to = solid.corners[(i + 1) % corners];
             const Point n = {to.y - from.y, from.x - to.x};
             const Point seen = {n.x * cosine + n.y * sine, n.y * cosine - n.x * sine};
-            const double level = n.x * (from.x - pose.x) + n.y * (from.y - pose.y) - touch * angles::hypot(n.x, n.y);
+            const double level = n.x * (from.x - pose.x) + n.y * (from.y - pose.y) - touching * angles::hypot(n.x, n.y);
             apart = std::all_of(shape.begin(), shape.end(),
                                 [&](const Point& p) { return seen.x * p.x + seen.y * p.y >= level; });
         }
@@ -143,7 +144,7 @@ bool is_clear(const ChartPlace& place, const Pose& pose) {
             const Point &from = shape[i], &to = shape[(i + 1) % shape.size()];
             const Point n = {to.y - from.y, from.x - to.x};
             const Point seen = {n.x * cosine - n.y * sine, n.x * sine + n.y * cosine};
-            const double level = n.x * from.x + n.y * from.y - touch * angles::hypot(n.x, n.y);
+            const double level = n.x * from.x + n.y * from.y - touching * angles::hypot(n.x, n.y);
             apart = std::all_of(solid.corners.begin(), solid.corners.end(), [&](const Point& p) {
                 return seen.x * (p.x - pose.x) + seen.y * (p.y - pose.y) >= level;
             });
@@ -159,7 +160,7 @@ bool is_free(const ChartPlace& place, const Path& piece) {
     for (const ChartPlace::Solid& solid : place.solids) {
         const std::vector<Point>& shape = place.shapes[solid.stops];
         if (!is_out_of_reach(shape, piece, solid.corners) &&
-            first_contact(shape, piece, solid.corners, touch) < piece.length)
+            first_contact(shape, piece, solid.corners, touching) < piece.length)
             return false;
     }
     return true;
@@ -167,7 +168,7 @@ bool is_free(const ChartPlace& place, const Path& piece) {
 
 bool is_drivable(const ChartPlace& place, const std::vector<Path>& way) {
     for (const ChartPlace::Solid& solid : place.solids)
-        if (overlap(placed(place.shapes[solid.stops], place.start), solid.corners) > touch) return false;
+        if (overlap(placed(place.shapes[solid.stops], place.start), solid.corners) > touching) return false;
     for (const Path& piece : way)
         if (!is_free(place, piece)) return false;
     return is_parked(place, way.empty() ? place.start : way.back().at(way.back().length));

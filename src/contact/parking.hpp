@@ -11,8 +11,8 @@ namespace snug::detail {
 
 /// Only the height of the frame's highest corner decides: the slot's ends are guarded by the neighbours.
 inline bool by_height_alone(const Problem& problem) {
-    return problem.front_setback == 0.0 && problem.rear_setback == 0.0 && std::isinf(problem.parked.heading) &&
-           std::isinf(problem.parked.curb);
+    return problem.front_setback == 0.0 && problem.rear_setback == 0.0 &&
+           problem.parked.heading >= limits::quarter_turn && std::isinf(problem.parked.curb);
 }
 
 /// A turning car: its outline, the turning centre, and how both change with the entry heading.

@@ -5,10 +5,11 @@
 #include <limits>
 
 #include "model/angles.hpp"
+#include "snug/limits.hpp"
 
 namespace snug::detail {
 
-Surroundings::Shape Surroundings::shape_of(const std::vector<Point>& corners) {
+RollingContact::Shape RollingContact::shape_of(const std::vector<Point>& corners) {
     Shape shape;
     shape.corners = corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -20,7 +21,8 @@ Surroundings::Shape Surroundings::shape_of(const std::vector<Point>& corners) {
     return shape;
 }
 
-Surroundings::Surroundings(const Car& car, const Place& place, double clearance) : region_(shape_of(place.region())) {
+RollingContact::RollingContact(const Car& car, const Place& place, double clearance)
+    : region_(shape_of(place.region())) {
     std::vector<double> keeps;
     for (const Place::Piece& piece : place.pieces()) {
         Solid solid;
@@ -45,7 +47,7 @@ Surroundings::Surroundings(const Car& car, const Place& place, double clearance)
 }
 
 /// The widest gap in the direction of an edge of either.
-double Surroundings::apart(const Shape& car, const Shape& solid, const Pose& pose, double sine, double cosine) const {
+double RollingContact::apart(const Shape& car, const Shape& solid, const Pose& pose, double sine, double cosine) const {
     double most = -std::numeric_limits<double>::infinity();
     const auto widest = [&](const Shape& edges, const std::vector<Point>& points, const auto& seen) {
         for (std::size_t i = 0; i < edges.corners.size(); ++i) {
@@ -68,7 +70,7 @@ double Surroundings::apart(const Shape& car, const Shape& solid, const Pose& pos
     return most;
 }
 
-double Surroundings::room(const Pose& pose, double enough) const {
+double RollingContact::room(const Pose& pose, double enough) const {
     const auto [sine, cosine] = angles::sine_cosine(pose.heading);
     double least = enough;
     for (const Solid& solid : solids_) {
@@ -81,7 +83,7 @@ double Surroundings::room(const Pose& pose, double enough) const {
     return least;
 }
 
-bool Surroundings::keeps(const RollingPiece& piece, double least) const {
+bool RollingContact::keeps(const RollingPiece& piece, double least) const {
     double quickest = 0.0;
     for (const Shape& shape : shapes_)
         for (const Point& p : shape.corners)
@@ -94,19 +96,18 @@ bool Surroundings::keeps(const RollingPiece& piece, double least) const {
 /// How far a point is beyond an edge changes along the piece with a second derivative of at most the curvature: on either half it
 /// is at most what a straight line between the ends has, and curvature u (h - u) / 2 at u of its length h. So it is enough that
 /// the middle lies within by curvature h^2 / 2, and the ends lie within.
-bool Surroundings::stays_in_region(const RollingPiece& piece, double bend) const {
-    constexpr double touch = 1e-9;
+bool RollingContact::stays_in_region(const RollingPiece& piece, double bend) const {
     const Pose middle = piece.at(piece.length / 2.0), end = piece.at(piece.length);
     const double bulge = bend * piece.length * piece.length / 8.0;
     for (std::size_t i = 0; i < region_.corners.size(); ++i) {
         const Point n = region_.normals[i], from = region_.corners[i];
-        if (n.x * (middle.x - from.x) + n.y * (middle.y - from.y) > touch - bulge) return false;
-        if (n.x * (end.x - from.x) + n.y * (end.y - from.y) > touch) return false;
+        if (n.x * (middle.x - from.x) + n.y * (middle.y - from.y) > limits::touching - bulge) return false;
+        if (n.x * (end.x - from.x) + n.y * (end.y - from.y) > limits::touching) return false;
     }
     return true;
 }
 
-bool Surroundings::keeps(const RollingPiece& piece, double from, double to, double quickest, double least) const {
+bool RollingContact::keeps(const RollingPiece& piece, double from, double to, double quickest, double least) const {
     constexpr double rounding = 1e-9;  // of poses far out in the world
     const double middle = (from + to) / 2.0;
     const double needed = least + quickest * (to - from) / 2.0 + rounding;

@@ -11,9 +11,9 @@
 namespace snug::detail {
 
 /// A car among the convex solids of a place.
-class Surroundings {
+class RollingContact {
 public:
-    Surroundings(const Car& car, const Place& place, double clearance);
+    RollingContact(const Car& car, const Place& place, double clearance);
 
     /// No point of the car is nearer to a solid than this, what is to be kept taken off; at most `enough`, which saves work.
     /// Negative where they overlap: how far they do not have to be moved apart. [m]

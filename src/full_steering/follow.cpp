@@ -9,14 +9,7 @@ namespace {
 /// So many runs are worth a vector.
 constexpr std::size_t worth_a_vector = 4;
 
-}  // namespace
-
-bool in_vectors(const FullSteering& steering) {
-    const Problem& problem = steering.problem;
-    return steering.backward.per_quarter == 1 && problem.at_curb == problem.body && steering.height_decides;
-}
-
-void follow_alone(const FullSteering& steering, Run& run, int limit, std::vector<FullMove>& moves) {
+void follow(const FullSteering& steering, Run& run, int limit, std::vector<FullMove>& moves) {
     run.first = moves.size();
     FullSteeringRun car(steering, run.heading);
     bool stuck = false;
@@ -33,15 +26,26 @@ void follow_alone(const FullSteering& steering, Run& run, int limit, std::vector
     run.count = moves.size() - run.first;
 }
 
+}  // namespace
+
+bool in_vectors(const FullSteering& steering) {
+    const Problem& problem = steering.problem;
+    return steering.backward.per_quarter == 1 && problem.at_curb == problem.body && steering.height_decides;
+}
+
+void follow_one_by_one(const FullSteering& steering, std::vector<Run>& runs, int limit, bool fewest,
+                       std::vector<FullMove>& moves) {
+    for (Run& run : runs) {
+        follow(steering, run, limit, moves);
+        if (fewest) limit = std::min(limit, run.changes);
+    }
+}
+
 void Follow::drive(std::vector<Run>& runs) {
     if (vectors && runs.size() >= worth_a_vector) {
         follow_in_lanes(steering, runs, limit, fewest, moves);
     } else {
-        int least = limit;
-        for (Run& run : runs) {
-            follow_alone(steering, run, least, moves);
-            if (fewest) least = std::min(least, run.changes);
-        }
+        follow_one_by_one(steering, runs, limit, fewest, moves);
     }
     if (fewest)
         for (const Run& run : runs) limit = std::min(limit, run.changes);

@@ -40,15 +40,16 @@ struct Follow {
     void drive(std::vector<Run>& runs);
 };
 
-/// Nothing new can come after this move, the one before having been stuck or not: the car circles freely, or is stuck both
+/// Nothing new can come after this move, the one before having been stuck or not: the car has turned away, or is stuck both
 /// ways.
 inline bool ends(const FullMove& move, bool stuck_before) {
     return move.meets == Meets::nothing || (move.stuck && stuck_before);
 }
 
-/// Drives one run, no farther than `limit`, and keeps its moves.
-void follow_alone(const FullSteering& steering, Run& run, int limit, std::vector<FullMove>& moves);
-/// Drives many in vectors; with `fewest`, the limit falls with every run that parks.
+/// Drives runs, no farther than `limit`, and keeps their moves; with `fewest`, the limit falls with every run that parks.
+void follow_one_by_one(const FullSteering& steering, std::vector<Run>& runs, int limit, bool fewest,
+                       std::vector<FullMove>& moves);
+/// In vectors.
 void follow_in_lanes(const FullSteering& steering, std::vector<Run>& runs, int limit, bool fewest,
                      std::vector<FullMove>& moves);
 

@@ -2,6 +2,9 @@
 //
 // State is the turning centre and the heading. A move keeps the centre and lowers the heading; at its end the centre
 // jumps across the car to the other side. With Slope, the derivatives with respect to the entry heading come along.
+//
+// Parked means within a quarter turn of parallel, and headings only fall: a car that comes to stand straight across, nose to
+// the curb, has turned away. That ends a move, and the run with it.
 #pragma once
 
 #include <algorithm>
@@ -17,6 +20,14 @@
 
 namespace snug::detail {
 
+/// Straight across, nose to the curb.
+inline constexpr QuarterHeading turned_away = {1.0, 0.0, 1};
+/// The same direction, so many whole turns before that.
+inline QuarterHeading before_turned_away(QuarterHeading heading) {
+    heading.quarter = turned_away.quarter - ((turned_away.quarter - heading.quarter) & 3);
+    return heading;
+}
+
 /// Car and slot with everything that can be computed once.
 struct FullSteering {
     Problem problem;
@@ -25,20 +36,28 @@ struct FullSteering {
     bool height_decides;    ///< see by_height_alone()
     EntryShape entry;       ///< the body at the entry position
 
-    explicit FullSteering(Problem of) : FullSteering(std::move(of), TurningShape(of)) {}
+    /// For runs that begin in the quarter turn `first_quarter` (see QuarterHeading) or later.
+    explicit FullSteering(Problem of, int first_quarter = 0)
+        : FullSteering(std::move(of), TurningShape(of), first_quarter) {}
 
 private:
-    FullSteering(Problem&& of, const TurningShape& shape)
+    FullSteering(Problem&& of, const TurningShape& shape, int first_quarter)
         : problem(std::move(of)),
-          backward(turning_frame(problem, shape, problem.radius)),
-          forward(turning_frame(problem, shape, -problem.radius)),
-          height_decides(by_height_alone(problem)),
-          entry(problem) {}
+          backward(problem, shape, problem.radius),
+          forward(problem, shape, -problem.radius),
+          height_decides(first_quarter >= 0 && by_height_alone(problem)),
+          entry(problem) {
+        problem.parked.heading = std::min(problem.parked.heading, limits::quarter_turn);
+        for (int quarter = first_quarter; quarter <= turned_away.quarter; ++quarter) {
+            backward.see(shape, quarter);
+            forward.see(shape, quarter);
+        }
+    }
 };
 
 /// What one move did. Nothing is filled in until it is driven.
 struct FullMove {
-    Meets meets;  ///< nothing: a full circle
+    Meets meets;  ///< nothing: it has turned away
     bool backward;
     bool stuck;               ///< it had no length
     std::uint8_t ahead;       ///< see Found
@@ -101,7 +120,7 @@ public:
 
     /// From any pose in the entering frame, backward or forward first.
     FullSteeringRun(const FullSteering& steering, const Pose& pose, bool backward)
-        : steering_(&steering), heading_(in_quarters(pose.heading)), backward_(backward) {
+        : steering_(&steering), heading_(before_turned_away(in_quarters(pose.heading))), backward_(backward) {
         const auto [sine, cosine] = angles::sine_cosine(pose.heading);
         const double offset = backward ? steering.problem.radius : -steering.problem.radius;
         x_ = pose.x - offset * sine;
@@ -124,12 +143,10 @@ public:
         drive<Slope>(move);
         return move;
     }
-    /// Drives the next move to its contact, and fills in a new `move`. A move without contact (a full circle) leaves the car
-    /// where it was.
+    /// Drives the next move to its contact, and fills in a new `move`. A move that turns away leaves the car where it was.
     template <bool Slope>
     __attribute__((always_inline)) void drive(FullMove& move) {
         const TurningFrame& frame = backward_ ? steering_->backward : steering_->forward;
-        const int around = 4 * frame.per_quarter;
         double end_slope = heading_slope_;  // of the heading at the move's end
         // Number by number: a copy of the whole would wait for the stores of its parts.
         QuarterHeading now = {heading_.c, heading_.s, heading_.quarter};
@@ -150,10 +167,8 @@ public:
             const FoundAt first =
                 first_in_sector(frame, *sector, steering_->problem, x_, y_, now.quarter, now.c, now.s);
             const Found& contact = first;
-            // A full circle ends where it began, whatever rounding makes of touching there.
-            const bool full_circle = sectors == around && first.order < heading_.order() + 1e-4;
-            const bool met = contact.meets != Meets::nothing && !full_circle;
-            move.meets = met ? contact.meets : Meets::nothing;
+            const bool met = contact.meets != Meets::nothing;
+            move.meets = contact.meets;
             if constexpr (Slope) note_graze(*sector, now, move.meets, first.order, move);
             if (sector->dip_order <= now.order() && !(met && first.order > sector->dip_order))
                 note_depth(y_ - sector->top.radius, y_slope_, move);
@@ -170,14 +185,16 @@ public:
                 }
                 break;
             }
-            if (sectors == around) break;
             note_depth(height_of(sector->top, y_, sector->end_c, sector->end_s), y_slope_, move);
-            if (++index == frame.per_quarter) {
+            if (index + 1 < frame.per_quarter) {
+                ++index;
+                now.c = sector->end_c;
+                now.s = sector->end_s;
+            } else if (now.quarter < turned_away.quarter) {
                 index = 0;
                 now = {0.0, 1.0, now.quarter + 1};
             } else {
-                now.c = sector->end_c;
-                now.s = sector->end_s;
+                break;
             }
             sector = &frame.at(now.quarter, index);
         }
@@ -213,9 +230,8 @@ private:
     /// The depth where more than the height decides.
     void miss_parking(const TurningFrame& frame, const QuarterHeading& end, bool met, double end_slope,
                       FullMove& move) const {
-        const QuarterHeading to = met ? end : QuarterHeading{heading_.c, heading_.s, heading_.quarter + 4};
-        const Miss miss = least_miss({&frame, &steering_->problem, x_, y_, x_slope_, y_slope_}, heading_, to,
-                                     heading_slope_, end_slope);
+        const Miss miss = least_miss({&frame, &steering_->problem, x_, y_, x_slope_, y_slope_}, heading_,
+                                     met ? end : turned_away, heading_slope_, met ? end_slope : 0.0);
         move.depth = miss.excess;
         move.depth_slope = miss.slope;
     }

@@ -581,8 +581,8 @@ std::vector<CountedHeadings> heading_ranges(const FullSteering& steering, int ma
     return ranges;
 }
 
-std::vector<Stretch> stretches(const std::vector<CountedHeadings>& ranges, int changes, double width) {
-    std::vector<Stretch> found;
+std::vector<Chain> chains(const std::vector<CountedHeadings>& ranges, int changes, double width) {
+    std::vector<Chain> found;
     std::size_t first = 0;
     while (first < ranges.size()) {
         std::size_t last = first;

@@ -42,13 +42,13 @@ inline constexpr double one_subrange = 1e-11;
 /// Narrower ranges are no more than rounding. [rad]
 inline constexpr double resolvable_range = 1e-12;
 
-/// Neighbouring ranges without a gap, from the first to the last: one stretch of headings that all park.
-struct Stretch {
+/// Neighbouring ranges without a gap, from the first to the last: one chain of headings that all park.
+struct Chain {
     std::size_t first = 0;
     std::size_t last = 0;
 };
 
-/// The stretches of headings that need at most `changes` and are at least `width` wide [rad]. `ranges` is in rising order.
-std::vector<Stretch> stretches(const std::vector<CountedHeadings>& ranges, int changes, double width);
+/// The chains of headings that need at most `changes` and are at least `width` wide [rad]. `ranges` is in rising order.
+std::vector<Chain> chains(const std::vector<CountedHeadings>& ranges, int changes, double width);
 
 }  // namespace snug::detail

@@ -1,8 +1,8 @@
 // The paper's strategy in the lanes of a vector: every lane drives its own case, and takes the next one when it is done.
 //
-// A step takes each lane through one quarter turn: to the contact and across to the next turning centre, or on into the
-// next quarter. Contacts are found by the source that the scalar uses (sector.inl), so every lane has the same bits.
-// Rectangles only, which have a sector for each quarter turn. Cases that turn past -pi/2 are rare and driven alone.
+// A step takes each lane through one quarter turn: to the contact and across to the next turning centre, on into the second
+// quarter, or to where the car has turned away. Contacts are found by the source that the scalar uses (sector.inl), so every
+// lane has the same bits. Rectangles only, which have a sector for each quarter turn.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -60,7 +60,7 @@ struct Frames {
         numbers
     };
     alignas(64) std::array<std::array<double, 8>, numbers> table;
-    std::array<std::array<std::int16_t, 8>, 4> parts;  ///< of the outline, that meet something: by Meets
+    std::array<std::array<std::int16_t, 8>, 4> parts = {};  ///< of the outline, that meet something: by Meets
 
     explicit Frames(const FullSteering& steering) {
         for (std::size_t i = 0; i < 4; ++i) {
@@ -192,8 +192,7 @@ public:
     const Cases::Start* next() { return cases_.next(); }
     [[nodiscard]] std::int64_t limit() const { return cases_.max_changes(); }
     void parks(std::size_t index, std::int64_t changes) { cases_.answer(index, static_cast<int>(changes)); }
-    void ends(std::size_t index, std::int64_t) { cases_.answer(index, -1); }
-    void drive_alone(std::size_t index) { cases_.answer_alone(index); }
+    void ends(std::size_t index) { cases_.answer(index, -1); }
 
 private:
     Cases& cases_;
@@ -241,11 +240,7 @@ public:
         runs_[index].changes = static_cast<int>(changes);
         if (fewest_) limit_ = std::min(limit_, runs_[index].changes);
     }
-    void ends(std::size_t, std::int64_t) {}
-    void drive_alone(std::size_t index) {
-        follow_alone(steering_, runs_[index], limit_, moves_);
-        if (fewest_) limit_ = std::min(limit_, runs_[index].changes);
-    }
+    void ends(std::size_t) {}
 
 private:
     const FullSteering& steering_;
@@ -339,13 +334,15 @@ public:
         const Real across = hn::IfThenElse(hn::RebindMask(reals, odd == one), zero - diameter, diameter);
         const Real start_height = y + top_x * start_s + top_y * start_c;
         const Real end_height = y + top_x * first.s + top_y * first.c;
-        const Mask past_second = hn::AndNot(found, second);
+        const Mask turned_away = hn::AndNot(found, second);
+        const Mask driven = hn::Or(found, second);  // to the move's end
 
         Mask parks;
         Mask ends;
         if constexpr (!Source::keeps_moves) {
             parks = hn::AndNot(stuck, hn::Or(start_height <= zero, end_height <= zero));
-            ends = hn::Or(stuck, hn::And(found, hn::RebindMask(reals, changes == hn::Set(whole, limit))));
+            const Mask last = hn::RebindMask(reals, changes == hn::Set(whole, limit));
+            ends = hn::Or(hn::Or(stuck, turned_away), hn::And(found, last));
         } else {
             const Real x_slope = hn::Load(reals, x_slope_);
             const Real y_slope = hn::Load(reals, y_slope_);
@@ -393,23 +390,23 @@ public:
             hn::Store(met.meets, whole, meets_);
             hn::Store(met.ahead, whole, ahead_);
             const unsigned are_stuck = bits_of(stuck);
-            for (unsigned driven = bits_of(found) & busy_; driven != 0; driven &= driven - 1) {
-                const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(driven);
+            for (unsigned to_keep = bits_of(driven) & busy_; to_keep != 0; to_keep &= to_keep - 1) {
+                const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(to_keep);
                 keep(room.at(first_row + lane, static_cast<std::size_t>(changes_[lane])), lane,
                      (are_stuck >> lane & 1U) != 0, constants);
             }
 
             parks = hn::And(depth <= zero, hn::RebindMask(reals, hn::Load(whole, past_parked_) == hn::Zero(whole)));
             const Integer last = hn::Load(whole, last_);
-            const auto goes_on = hn::And(changes < last, changes < hn::Set(whole, limit));
+            const Mask goes_on = hn::RebindMask(reals, hn::And(changes < last, changes < hn::Set(whole, limit)));
             const Mask stuck_before = hn::RebindMask(reals, hn::Load(whole, stuck_) != hn::Zero(whole));
-            ends = hn::Or(hn::And(stuck, stuck_before), hn::And(found, hn::Not(hn::RebindMask(reals, goes_on))));
+            ends = hn::Or(hn::Or(hn::And(stuck, stuck_before), turned_away), hn::AndNot(goes_on, found));
             hn::Store(hn::IfThenElseZero(hn::RebindMask(whole, stuck), one), whole, stuck_);
 
             hn::Store(hn::IfThenElse(found, x_slope + across * cosine * end_slope, x_slope), reals, x_slope_);
             hn::Store(hn::IfThenElse(found, y_slope + across * sine * end_slope, y_slope), reals, y_slope_);
             hn::Store(hn::IfThenElse(found, end_slope, heading_slope), reals, heading_slope_);
-            parks = hn::And(parks, found);
+            parks = hn::And(parks, driven);
         }
 
         hn::Store(hn::IfThenElse(found, x + across * sine, x), reals, x_);
@@ -423,24 +420,19 @@ public:
         hn::Store(changes, whole, moves_);
         parks_ = bits_of(parks);
         ends_ = bits_of(ends) & ~parks_;
-        past_second_ = bits_of(past_second) & ~(parks_ | ends_);
     }
 
     /// Hands in what is done, and begins new cases in its lanes.
     HWY_INLINE void renew(Source& source, const Room& room, std::size_t first_row) {
-        for (unsigned done = (parks_ | ends_ | past_second_) & busy_; done != 0; done &= done - 1) {
+        for (unsigned done = (parks_ | ends_) & busy_; done != 0; done &= done - 1) {
             const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(done);
             const std::size_t index = index_[lane];
-            if ((past_second_ >> lane & 1U) != 0) {
-                source.drive_alone(index);
+            if constexpr (Source::keeps_moves)
+                source.keep(index, room.row(first_row + lane), static_cast<std::size_t>(moves_[lane]) + 1);
+            if ((parks_ >> lane & 1U) != 0) {
+                source.parks(index, moves_[lane]);
             } else {
-                if constexpr (Source::keeps_moves)
-                    source.keep(index, room.row(first_row + lane), static_cast<std::size_t>(moves_[lane]) + 1);
-                if ((parks_ >> lane & 1U) != 0) {
-                    source.parks(index, moves_[lane]);
-                } else {
-                    source.ends(index, moves_[lane]);
-                }
+                source.ends(index);
             }
             begin_next(source, lane);
         }
@@ -507,7 +499,6 @@ private:
     unsigned busy_ = 0;
     unsigned parks_ = 0;
     unsigned ends_ = 0;
-    unsigned past_second_ = 0;
 
     // Where moves are kept: what goes on from move to move, and what becomes of this one.
     static constexpr std::size_t kept = Source::keeps_moves ? lanes : 1;
@@ -552,11 +543,10 @@ void drive_all_in_lanes(Cases& cases) {
 
 void follow_all_in_lanes(const FullSteering& steering, std::vector<Run>& runs, int limit, bool fewest,
                          std::vector<FullMove>& moves) {
-    Search search(steering, runs, limit, fewest, moves);
     if constexpr (lanes == 1) {
-        for (std::size_t i = 0; i < runs.size(); ++i) search.drive_alone(i);
+        follow_one_by_one(steering, runs, limit, fewest, moves);
     } else {
-        drive_in_lanes(steering, search);
+        drive_in_lanes(steering, Search(steering, runs, limit, fewest, moves));
     }
 }
 

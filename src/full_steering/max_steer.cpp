@@ -27,10 +27,14 @@ QuarterHeading goal_heading(const Turn& turn, const QuarterHeading& start, const
     return {1.0, 0.0, 0};
 }
 
+/// `pose`: the first, in the entering frame, `around` whole turns from where it is told.
 MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering, FullSteeringRun driven, Pose pose,
-                  bool may_be_parked, const MaxSteerOptions& options) {
+                  double around, bool may_be_parked, const MaxSteerOptions& options) {
     MaxSteerRun run{Outcome::too_many_changes, {car, {}}};
     const double radius = steering.problem.radius;
+    const auto told = [&](const Pose& at) {
+        return to_world(slot, options.driving.enter, {at.x, at.y, at.heading + around});
+    };
     for (int changes = 0; changes <= options.max_changes; ++changes) {
         const bool backward = driven.backward();
         const double centre_x = driven.x();
@@ -46,7 +50,7 @@ MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering
         bool touches = full.meets != Meets::nothing;
         const bool parked = full.depth <= 0.0;
         if (parked) {
-            const QuarterHeading contact = touches ? end : QuarterHeading{start.c, start.s, start.quarter + 4};
+            const QuarterHeading contact = touches ? end : turned_away;
             const TurningFrame& frame = backward ? steering.backward : steering.forward;
             end = goal_heading({&frame, &steering.problem, centre_x, centre_y}, start, contact);
             touches = touches && end.quarter == contact.quarter && end.order() == contact.order();
@@ -59,11 +63,11 @@ MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering
         Move move;
         move.direction = entering_direction(options.driving.enter, backward ? Direction::backward : Direction::forward);
         move.steering_angle = slot.mirrored(backward ? car.max_steer() : -car.max_steer());
-        move.start = to_world(slot, options.driving.enter, pose);
+        move.start = told(pose);
         const double turned_to = end.angle();
         move.length = std::max(0.0, radius * (pose.heading - turned_to));
         pose = {centre_x + offset * end.sine(), centre_y - offset * end.cosine(), turned_to};
-        move.end = to_world(slot, options.driving.enter, pose);
+        move.end = told(pose);
         if (touches)
             move.contact = contact_of(car, slot, options.driving.enter, steering.problem, full.meets, full.part);
         run.maneuver.moves.push_back(move);
@@ -84,7 +88,7 @@ MaxSteerRun detail::max_steer(const Car& car, const Slot& slot, const FullSteeri
     if (!is_possible(steering.problem, steering.entry, heading, way.c, way.s)) return {Outcome::no_entry, {car, {}}};
     const double radius = steering.problem.radius;
     return drive(car, slot, steering, at_entry, {at_entry.x() + radius * way.s, at_entry.y() - radius * way.c, heading},
-                 false, options);
+                 0.0, false, options);
 }
 
 MaxSteerRun max_steer(const Car& car, const Slot& slot, double heading, const MaxSteerOptions& options) {
@@ -98,11 +102,15 @@ MaxSteerRun max_steer(const Car& car, const Slot& slot, const Pose& pose, Direct
                       const MaxSteerOptions& options) {
     check(options);
     if (!is_free(car, slot, pose, options.driving)) return {Outcome::no_entry, {car, {}}};
-    const FullSteering steering(entering_problem(car, slot, options.driving, options.parked));
     const Enter enter = options.driving.enter;
-    const Pose seen = to_entering(slot, enter, pose);
+    Pose seen = to_entering(slot, enter, pose);
+    const QuarterHeading told = in_quarters(seen.heading);
+    const int quarter = before_turned_away(told).quarter;
+    const double around = (quarter - told.quarter) * limits::quarter_turn;
+    seen.heading -= around;
+    const FullSteering steering(entering_problem(car, slot, options.driving, options.parked), quarter);
     const bool backward = entering_direction(enter, direction) == Direction::backward;
-    return drive(car, slot, steering, FullSteeringRun(steering, seen, backward), seen, true, options);
+    return drive(car, slot, steering, FullSteeringRun(steering, seen, backward), seen, around, true, options);
 }
 
 std::string_view to_string(Outcome outcome) {

@@ -22,6 +22,7 @@
 #include "contact/entering.hpp"
 #include "contact/sized_slot.hpp"
 #include "full_steering/heading_ranges.hpp"
+#include "full_steering/proof/verdict.hpp"
 
 namespace snug::detail {
 
@@ -112,15 +113,19 @@ private:
             if (shown.empty()) return std::nullopt;
             if (parks_around(at, shown.front().min)) return shown.front().min;
         }
-        const std::vector<CountedHeadings> ranges = looked_at(at, Find::all);
+        std::vector<CountedHeadings> ranges = looked_at(at, Find::all);
+        std::vector<Headings> noise;
+        leave_out_noise({at}, ranges, noise);
         std::optional<double> heading;
         double widest = 0.0;
-        for (const Stretch& stretch : stretches(ranges, changes_, std::max(options_.min_range, resolvable_range))) {
-            const double min = ranges[stretch.first].min;
-            const double width = ranges[stretch.last].max - min;
+        for (const Chain& chain : chains(ranges, changes_, std::max(options_.min_range, resolvable_range))) {
+            const double min = ranges[chain.first].min;
+            const double width = ranges[chain.last].max - min;
             if (heading && width < widest) continue;
+            const double between = min + width / 2.0;
+            if (!parks_around(at, between)) continue;
             widest = width;
-            heading = min + width / 2.0;
+            heading = between;
         }
         return heading;
     }
@@ -147,12 +152,11 @@ private:
         double least = std::numeric_limits<double>::infinity();
         FullSteeringRun run(at, heading);
         if (!is_possible(at.problem, at.entry, heading, run.heading().c, run.heading().s)) return least;
-        bool stuck = false;
         for (int n = 0; n <= changes_; ++n) {
             const FullMove move = run.drive<false>();
+            if (move.stuck) break;
             least = std::min(least, move.depth);
-            if (least <= 0.0 || move.meets == Meets::nothing || (stuck && move.stuck)) break;
-            stuck = move.stuck;
+            if (least <= 0.0 || move.meets == Meets::nothing) break;
         }
         return least;
     }
@@ -239,11 +243,12 @@ private:
         return parks_around(steering(high), heading) ? high : start;
     }
 
-    /// With the heading in the middle of what parks, in a slot in which looking at all headings finds it.
+    /// With the heading in the middle of what parks, in a slot in which looking at all headings finds it: where a corner
+    /// passes along a wall, rounding has one heading park in a slot that is too small.
     [[nodiscard]] MinSlot answer(int max_changes) {
         double size = found_->size;
         std::optional<double> heading = parks(size, true);
-        for (double more = fine; !heading && more < resolution; more *= 4.0) {
+        for (double more = fine; !heading && more < farther * resolution; more *= 4.0) {
             size = found_->size + more;
             heading = parks(size, true);
         }

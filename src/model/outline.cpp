@@ -14,7 +14,7 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t most_corners = 256;
+constexpr std::size_t most_outline_corners = 256;
 constexpr double on_a_line = 1e-9;  // of the outline's size
 constexpr int corners_of_an_arc = 6;
 using limits::quarter_turn;
@@ -29,9 +29,9 @@ double distance(const Point& a, const Point& b) { return angles::hypot(b.x - a.x
 std::string at(const Point& point) { return "(" + spelled(point.x) + ", " + spelled(point.y) + ")"; }
 
 void check_numbers(const std::vector<Point>& corners) {
-    if (corners.size() < 3 || corners.size() > most_corners)
+    if (corners.size() < 3 || corners.size() > most_outline_corners)
         throw Error("the outline has " + std::to_string(corners.size()) + " corners, but must have 3 to " +
-                    std::to_string(most_corners));
+                    std::to_string(most_outline_corners));
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const std::string name = "outline corner [" + std::to_string(i) + "] ";
         check_between(name + "x", corners[i].x, -limits::longest, limits::longest, " m");

@@ -16,7 +16,7 @@ namespace {
 
 using limits::farthest;
 using limits::quarter_turn;
-constexpr std::size_t most_corners = 10000;
+constexpr std::size_t most_polygon_corners = 10000;
 constexpr double endless = 200.0;  ///< how far the street's edges go on beyond the region [m]
 
 /// Counter-clockwise and without idle corners. Throws Error unless the corners make a polygon.
@@ -46,9 +46,9 @@ std::vector<Point> checked_convex(const std::vector<Point>& corners, const std::
 Place::Place(PlaceDescription description) : description_(std::move(description)) {
     std::size_t corners = 0;
     for (const PlaceObstacle& obstacle : description_.obstacles) corners += obstacle.corners.size();
-    if (corners > most_corners)
+    if (corners > most_polygon_corners)
         throw Error("the obstacles have " + spelled(static_cast<double>(corners)) + " corners, but at most " +
-                    spelled(static_cast<double>(most_corners)) + " are allowed");
+                    spelled(static_cast<double>(most_polygon_corners)) + " are allowed");
     for (std::size_t i = 0; i < description_.obstacles.size(); ++i) {
         const PlaceObstacle& obstacle = description_.obstacles[i];
         if (obstacle.clearance)

@@ -66,7 +66,7 @@ TEST(Entry, JsonHasTheDocumentedKeysInOrder) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const Json answer = Json::parse(result.out);
     EXPECT_EQ(keys(answer), (Keys{"schema", "car", "slot", "strategy", "max_changes", "parkable", "direction_changes",
-                                  "proved", "undecided", "entry_ranges", "maneuver"}));
+                                  "proved", "undecided", "entry_ranges", "maneuver", "start_tolerance"}));
     EXPECT_EQ(answer["proved"], true);
     EXPECT_EQ(answer["undecided"], Json::array());
     EXPECT_EQ(keys(answer["car"]), (Keys{"name", "width", "front", "rear", "wheelbase", "max_steer"}));
@@ -87,6 +87,35 @@ TEST(Entry, JsonHasTheDocumentedKeysInOrder) {
     for (const Json& range : answer["entry_ranges"]) {
         EXPECT_EQ(keys(range), (Keys{"heading_min", "heading_max", "direction_changes", "subrange"}));
     }
+}
+
+/// From as far off as it says, along the slot and out, the car still parks; the text rounds down.
+TEST(Entry, TellsHowFarTheStartMayBeOff) {
+    const Json off = Json::parse(run(zoe + "--format json").out)["start_tolerance"];
+    EXPECT_EQ(keys(off), (Keys{"along", "out", "both"}));
+    EXPECT_EQ(keys(off["both"]), (Keys{"along", "out"}));
+    EXPECT_GT(off["along"], off["both"]["along"]);
+    EXPECT_GT(off["both"]["along"], 0.0);
+    EXPECT_GT(off["out"], off["both"]["out"]);
+    const std::string text = run(zoe).out;
+    std::istringstream after(text.substr(text.find("off by     as far as ") + 21));
+    double told = 0.0;
+    after >> told;
+    EXPECT_LE(told, off["along"].get<double>());
+    EXPECT_NEAR(told, off["along"].get<double>(), 1e-3);
+    EXPECT_NE(run("entry --car renault-zoe --length 9 --width 3 --enter forward").out.find(" m ahead, or "),
+              std::string::npos);
+    EXPECT_EQ(run(zoe + "--strategy fewest").out.find("off by"), std::string::npos);
+    EXPECT_FALSE(Json::parse(run(zoe + "--strategy fewest --format json").out).contains("start_tolerance"));
+    EXPECT_FALSE(Json::parse(run(zoe + "--strategy stepping --format json").out).contains("start_tolerance"));
+}
+
+/// Straight on in the same direction costs no change, back costs one.
+TEST(Entry, TellsWhatEndingInTheMiddleTakes) {
+    const std::string mid = "entry --car mid-size --length 5.1 --width 2.2 ";
+    EXPECT_NE(run(mid).out.find("centred    after 0.193 m straight back, one change more"), std::string::npos);
+    EXPECT_NE(run("entry --car renault-zoe --length 5.5 --width 2.2").out.find("straight ahead, no further change"),
+              std::string::npos);
 }
 
 TEST(Entry, PartsOfAnAnswerAgree) {

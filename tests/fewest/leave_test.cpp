@@ -19,7 +19,7 @@ using snug::Slot;
 
 TEST(Leave, FromTheGoalOfAnOptimalManeuverItTakesNoMoreChanges) {
     int asked_for = 0;
-    for (std::uint64_t i = 0; asked_for < snug::test::sample(15, 500); ++i) {
+    for (std::uint64_t i = 0; asked_for < snug::test::sample(8, 500); ++i) {
         const oracle::Case asked = oracle::random_case(23, i);
         const Car car(asked.car);
         const Slot slot(asked.slot);

@@ -119,7 +119,7 @@ std::string attack_from_below(const MinSlotCase& asked, double fails, std::uint6
 
 TEST(MinSlot, AreLargeEnoughAndNoneSmallerIs) {
     std::atomic<int> answers{0};
-    attack_all(15, 400, Cars::any, 0, [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
+    attack_all(6, 400, Cars::any, 0, [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
         const std::optional<snug::MinSlot> slot = smallest(asked);
         if (!slot) return attack_from_below(asked, asked.least() + 4.0, index);
         ++answers;
@@ -133,7 +133,7 @@ TEST(MinSlot, AreLargeEnoughAndNoneSmallerIs) {
 
 TEST(MinSlot, AreSoBetweenAnyNeighboursToo) {
     std::atomic<int> answers{0};
-    attack_chosen(30, 600, 4, random_neighbours_case,
+    attack_chosen(10, 600, 4, random_neighbours_case,
                   [&](const MinSlotCase& asked, std::uint64_t index) -> std::string {
                       const std::optional<snug::MinSlot> slot = smallest(asked);
                       if (!slot) return attack_from_below(asked, asked.least() + 4.0, index);

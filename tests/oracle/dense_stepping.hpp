@@ -68,8 +68,7 @@ int stepped_changes(const Problem<Real>& problem, Real heading, int max_changes,
     if (depth(problem, place) > Real(1e-12L)) return -1;
     for (int changes = 0; changes <= max_changes; ++changes) {
         const Path<Real> path{place, radius, direction};
-        const Real full = 2 * std::numbers::pi_v<Real> * problem.radius;
-        const Stepped<Real> found = step_along(problem, path, full, step, Real(1e-13L));
+        const Stepped<Real> found = step_along(problem, path, until_turned_away(problem, place), step, Real(1e-13L));
         if (std::isfinite(found.inside_from) && (changes > 0 || found.contact > step)) return changes;
         if (std::isinf(found.contact)) return -1;
         // Halve down to the contact between the last free step and the first overlapping one.

@@ -55,7 +55,7 @@ TEST(Oracle, ClippingAndSeparatingAxesAgreeOnWhatOverlaps) {
 
 TEST(Oracle, FirstContactAgreesWithTinySteps) {
     int contacts = 0, insides = 0, grazes = 0;
-    const int cases = snug::test::sample(200, 20000);
+    const int cases = snug::test::sample(100, 20000);
     for (int i = 0; i < cases; ++i) {
         const Case asked = any_case(11, i);
         const auto problem = make_problem<double>(asked);
@@ -135,7 +135,7 @@ TEST(Oracle, StrategyAgreesWithTinySteps) {
 
 TEST(Oracle, DoubleAndLongDoubleAgree) {
     int compared = 0;
-    const int cases = snug::test::sample(300, 20000);
+    const int cases = snug::test::sample(150, 20000);
     for (int i = 0; i < cases; ++i) {
         const Case asked = any_case(13, i);
         const double heading = Random(std::uint64_t(i)).between(0, 0.7);
@@ -151,7 +151,7 @@ TEST(Oracle, DoubleAndLongDoubleAgree) {
 TEST(Oracle, OutlinesAreOfAllKinds) {
     std::array<int, 33> corners{};
     int set_back = 0, low = 0, conditions = 0, asymmetric = 0;
-    const int cases = snug::test::sample(300, 3000);
+    const int cases = snug::test::sample(100, 3000);
     for (int i = 0; i < cases; ++i) {
         const Case asked = random_outline_case(15, std::uint64_t(i));
         ++corners[asked.outline.size()];

@@ -54,27 +54,36 @@ Place<Real> entry_place(const Problem<Real>& problem, Real heading) {
     return {met.x - (c * p.x - s * p.y), met.y - (s * p.x + c * p.y), heading};
 }
 
+/// How far it is until the car stands straight across, the end that goes in first to the road: beyond that it has turned
+/// away and counts as parked no more.
+template <class Real>
+Real until_turned_away(const Problem<Real>& problem, const Place<Real>& place) {
+    const Real heading = problem.enter == snug::Enter::backward ? place.heading : -place.heading;
+    return std::max(Real(0), (heading + std::numbers::pi_v<Real> / 2) * problem.radius);
+}
+
 enum class Look { at_counts, at_depths_too };
 
+/// From anywhere; whoever overlaps something there has no entry.
 template <class Real>
-void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>& out, Look look = Look::at_counts) {
+void run_from(const Problem<Real>& problem, Place<Real> place, int max_changes, Run<Real>& out,
+              Look look = Look::at_counts) {
     constexpr Real never = std::numeric_limits<Real>::infinity();
     out.outcome = snug::Outcome::no_entry;
     out.changes = 0;
     out.itinerary = 0;
     out.legs.clear();
 
-    Place<Real> place = entry_place(problem, heading);
     if (depth(problem, place) > problem.forgiven) return;
     int direction = problem.enter == snug::Enter::backward ? -1 : 1;
     Real radius = problem.radius;
-    const Real around = 2 * std::numbers::pi_v<Real> * problem.radius;
     for (int changes = 0; changes <= max_changes; ++changes) {
         Leg<Real> leg{{place, radius, direction}, 0, 0, never};
-        leg.contact = first_contact(problem, leg.path, around);
+        const Real away = until_turned_away(problem, place);
+        leg.contact = first_contact(problem, leg.path, away);
         // With a clearance the car itself can be inside at a steep entry position whose first move cannot start.
         if (changes == 0 && leg.contact <= problem.no_move()) return;
-        leg.length = std::min(leg.contact, around);
+        leg.length = std::min(leg.contact, away);
         const Real inside = first_parked(problem, leg.path, leg.length);
         if (look == Look::at_depths_too) leg.least = least_short_of_parked(problem, leg.path, leg.length);
         if (std::isfinite(inside)) {
@@ -100,6 +109,11 @@ void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>&
         radius = -radius;
     }
     out.outcome = snug::Outcome::too_many_changes;
+}
+
+template <class Real>
+void run(const Problem<Real>& problem, Real heading, int max_changes, Run<Real>& out, Look look = Look::at_counts) {
+    run_from(problem, entry_place(problem, heading), max_changes, out, look);
 }
 
 template <class Real>

@@ -17,7 +17,7 @@ namespace {
 using namespace park_test;
 
 TEST(Park, EveryManeuverParksWithoutTouchingAnything) {
-    const int count = snug::test::sample(60, 2000);
+    const int count = snug::test::sample(30, 2000);
     int found = 0, proved = 0, refused = 0;
     for (int i = 0; i < count; ++i) {
         const Case asked = random_case(static_cast<std::uint64_t>(i));
@@ -45,7 +45,7 @@ TEST(Park, EveryManeuverParksWithoutTouchingAnything) {
 
 /// The maneuver a person is given, and the other ways beside it.
 TEST(Park, PolishedManeuversAndAlternativesParkWithoutTouchingAnything) {
-    const int count = snug::test::sample(30, 1000);
+    const int count = snug::test::sample(16, 1000);
     int found = 0, others = 0;
     for (int i = 0; i < count; ++i) {
         const Case asked = random_case(static_cast<std::uint64_t>(600000 + i));

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/max_steer.hpp"
+
 namespace snug {
 namespace {
 
@@ -40,6 +42,25 @@ TEST(ProvedEntry, ClaimsNothingThatRoundingDecides) {
                3.1454425525267018, 2.6626856784916404);
     EXPECT_FALSE(tangent.parkable());
     EXPECT_TRUE(tangent.ranges.empty());
+}
+
+/// A single heading, as good as: 8e-13 rad wide.
+TEST(ProvedEntry, ListsWhatIsTooNarrowToClaim) {
+    const Car car({1.370913965386644, 3.594917688255497, 1.0983338683615604, 3.235742146367956, 0.8112025073762099});
+    const Slot slot({.length = 5.491881517462855, .width = 1.5548834607640432});
+    const double heading = 0.3376831163222257;
+    EXPECT_EQ(max_steer(car, slot, heading).maneuver.direction_changes(), 13);
+    for (const bool prove : {false, true}) {
+        EntryOptions options;
+        options.max_changes = 14;
+        options.prove = prove;
+        const Answer answer = entry(car, slot, options);
+        EXPECT_FALSE(answer.parkable());
+        ASSERT_EQ(answer.undecided.size(), 1U) << prove;
+        EXPECT_LT(answer.undecided[0].min, heading);
+        EXPECT_GT(answer.undecided[0].max, heading);
+        EXPECT_LT(answer.undecided[0].max - answer.undecided[0].min, 5e-12);
+    }
 }
 
 TEST(ProvedEntry, OfACarThatCannotParkLeavesOutOnlySlivers) {

@@ -13,7 +13,7 @@ namespace {
 TEST(EntrySoak, TheOracleFindsNothingBetterNothingMoreAndNothingWrong) {
     JudgeOptions options;
     options.heading_step = snug::test::is_set("SNUG_SOAK") ? 1e-5 : 1e-4;  // and finer where contacts change
-    judge_all(random_case, snug::test::sample(60, 2400), options);
+    judge_all(random_case, snug::test::sample(25, 2400), options);
 }
 
 }  // namespace

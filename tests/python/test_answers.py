@@ -28,6 +28,7 @@ def command(*arguments):
     return run.stdout
 
 
+BAY = snug.Street(5.0, 2.5, angle=np.pi / 2, road=5.5)
 PARKED = snug.parked_pose(ZOE, snug.Slot(5, 2), front=0.3, curb=0.05)
 ASKED = {
     "entry": snug.entry(ZOE, SLOT), "no entry": snug.entry(ZOE, snug.Slot(4.0, 2.0)), "outline": snug.entry(ROUND, SLOT),
@@ -38,6 +39,7 @@ ASKED = {
     "leave": snug.leave(ZOE, snug.Slot(5, 2), PARKED, resolution=0.004),
     "min-slot": snug.min_slot(ZOE, width=2.0, max_changes=3),
     "least": snug.min_slot(ZOE, width=2.0, max_changes=1, strategy="fewest", resolution=0.02),
+    "road": snug.min_street(ZOE, BAY, max_changes=1, resolution=0.05), "least bay": snug.min_street(ZOE, BAY, sought="width", resolution=0.05),
     "run": snug.max_steer(ZOE, SLOT, 0.486), "park": snug.park(ZOE, STREET), "yard": snug.park(ZOE, YARD),
     "contact": snug.first_contact(ZOE, SLOT, (0, 0.5, 0.2), "backward", 0.3), "free": snug.first_contact(ZOE, SLOT, (0, 50, 0), "forward", 0),
     "shortfall": snug.shortfall(ZOE, snug.Slot(3, 2)), "goals": snug.reversed_trials_by_goal(ZOE, snug.Slot(5.5, 2.2)),
@@ -67,6 +69,8 @@ def test_answers_are_values(name):
     ("leave", "leave --car renault-zoe --length 5 --width 2 --gap-front 0.3 --gap-curb 0.05 --resolution 0.004"),
     ("min-slot", "min-slot --car renault-zoe --width 2 --max-changes 3"),
     ("least", "min-slot --car renault-zoe --width 2 --max-changes 1 --strategy fewest --resolution 0.02"),
+    ("road", "min-slot --car renault-zoe --angle 90 --length 5 --width 2.5 --max-changes 1 --resolution 0.05"),
+    ("least bay", "min-slot --car renault-zoe --angle 90 --length 5 --road 5.5 --max-changes 0 --resolution 0.05"),
     ("park", "park --car renault-zoe --length 5.2 --width 2 --road 3.5"),
 ])
 def test_json_is_the_commands(name, arguments):
@@ -79,6 +83,14 @@ def test_json_is_the_commands_for_files(tmp_path):
     assert ASKED["outline"].to_json() == command("entry", "--car", tmp_path / "car.json", "--length", 4.5, "--width", 2)
     assert ASKED["yard"].to_json() == command("park", "--car", "renault-zoe", "--scene", tmp_path / "yard.json")
     assert snug.read_car(tmp_path / "car.json") == ROUND == snug.Car.from_dict(ASKED["outline"].to_dict()["car"])
+
+
+def test_how_far_off_the_start_may_be():
+    off = ASKED["entry"].start_tolerance
+    assert off.direction_changes == 18 and off.heading == pytest.approx(ASKED["entry"].maneuver.entry.heading)
+    assert 0 < off.both_along < off.along < 0.01 and 0 < off.both_out < off.out < 0.01
+    assert ASKED["entry"].to_dict()["start_tolerance"]["both"] == {"along": off.both_along, "out": off.both_out}
+    assert all(ASKED[name].start_tolerance is None for name in ("no entry", "trials", "fewest", "leave"))
 
 
 def test_any_maneuver_where_the_strategy_cannot_park(tmp_path):

@@ -8,7 +8,7 @@ import pytest
 import snug
 
 COMMAND = os.environ["SNUG_COMMAND"]
-CASES = 5000 if os.environ.get("SNUG_SOAK") == "1" else 300  # each starts the command once
+CASES = 5000 if os.environ.get("SNUG_SOAK") == "1" else 100  # each starts the command once
 
 
 def command(*arguments):

@@ -213,6 +213,7 @@ def test_defaults_are_the_ones_that_help_shows():
         "leave": (CAR, snug.Slot(5.2, 2.0), snug.parked_pose(CAR, snug.Slot(5.2, 2.0), front=0.3, curb=0.05)),
         "first_contact": (CAR, SLOT, MOVE.start, "backward", 0.3), "park": (CAR, snug.Street(5.2, 2.0, road=3.5)),
         "drive_runs": (CAR, snug.Street(5.0, 2.5, angle=math.pi / 2, road=6.0)),
+        "min_street": (CAR, snug.Street(5.0, 2.5, angle=math.pi / 2)),
     }
     for name, thing in public():
         if inspect.ismodule(thing) or inspect.isclass(thing):

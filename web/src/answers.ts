@@ -1,4 +1,5 @@
-// The answers to what is set: full steering at once, in the frame that asks; all maneuvers from a worker, by and by.
+// The answers to what is set: full steering at once, in the frame that asks, and proved a moment later by a worker; all
+// maneuvers from a worker, by and by.
 import type { EntryAnswer, FewestAnswer, FewestProgress, HeadingRange, Snug } from "snug";
 import { drivingOf, slotOf, type Inputs } from "./inputs";
 import { later } from "./later";
@@ -30,6 +31,7 @@ export function createAnswers(snug: Snug, questions: Asker, listener: Listener) 
     const soonFewest = later(120);
     const soonSettled = later(60);
     const soonRanges = later(80);
+    const soonProof = later(60);
 
     const askFewest = (inputs: Inputs) =>
         questions.ask("fewest", "fewest", { car: inputs.car, slot: slotOf(inputs), ...drivingOf(inputs) }, (told) => {
@@ -57,7 +59,7 @@ export function createAnswers(snug: Snug, questions: Asker, listener: Listener) 
             return;
         }
         looking = true;
-        questions.ask("entry", "entry", { car: inputs.car, slot: slotOf(inputs), ...drivingOf(inputs) }, (told) => {
+        questions.ask("entry", "entry", { car: inputs.car, slot: slotOf(inputs), ...drivingOf(inputs), prove: false }, (told) => {
             looking = false;
             if (question === asked) {
                 if ("error" in told) listener.failed(told.error);
@@ -80,9 +82,9 @@ export function createAnswers(snug: Snug, questions: Asker, listener: Listener) 
         const question = JSON.stringify([inputs.car, slotOf(inputs), drivingOf(inputs), inputs.strategy]);
         if (question === asked) return false;
         const before = performance.now();
-        const [{ car }, slot, driving] = [inputs, slotOf(inputs), drivingOf(inputs)];
-        const late = listener.busy() && snug.entry(car, slot, { ...driving, max_changes: few }).direction_changes === undefined;
-        const entry = late ? null : snug.entry(car, slot, driving);
+        const [{ car }, slot, quick] = [inputs, slotOf(inputs), { ...drivingOf(inputs), prove: false }];
+        const late = listener.busy() && snug.entry(car, slot, { ...quick, max_changes: few }).direction_changes === undefined;
+        const entry = late ? null : snug.entry(car, slot, quick);
         frameTimes.push(performance.now() - before);
         if (frameTimes.length > 600) frameTimes.shift();
         asked = question;
@@ -95,14 +97,40 @@ export function createAnswers(snug: Snug, questions: Asker, listener: Listener) 
         soonFewest(() => all && askFewest(inputs));
         soonSettled(() => all || answers.late || listener.settled());
         askRanges(inputs);
+        questions.abandon("proof");
+        askProof(inputs, question);
         return true;
     };
+
+    /** Once nothing is dragged: that no heading is missed. What it changes is rare, and then it is right. */
+    const askProof = (inputs: Inputs, question: string) =>
+        soonProof(() => {
+            if (inputs.strategy === "fewest" || question !== asked) return;
+            if (listener.busy() || answers.late) {
+                askProof(inputs, question);
+                return;
+            }
+            questions.ask("proof", "entry", { car: inputs.car, slot: slotOf(inputs), ...drivingOf(inputs), prove: true }, (told) => {
+                if (question !== asked || "error" in told) return;
+                const same = <T>(one: T, other: T) => JSON.stringify(one) === JSON.stringify(other);
+                const before = answers.entry;
+                answers.entry = told.answer;
+                // What is shown stays the same object: the player does not begin again.
+                if (before && same(before.maneuver, told.answer.maneuver)) told.answer.maneuver = before.maneuver;
+                if (!before || !same(before.entry_ranges, told.answer.entry_ranges)) {
+                    answers.ranges = told.answer.entry_ranges;
+                    askRanges(inputs);
+                    listener.settled();
+                }
+                listener.changed();
+            });
+        });
 
     const askRanges = (inputs: Inputs) =>
         soonRanges(() => {
             const best = answers.entry?.direction_changes;
             if (best === undefined || answers.late || inputs.strategy === "fewest" || listener.busy()) return;
-            const more = { ...drivingOf(inputs), max_changes: best + 6 };
+            const more = { ...drivingOf(inputs), max_changes: best + 6, prove: false };
             answers.ranges = snug.entry(inputs.car, slotOf(inputs), more).entry_ranges;
             listener.changed();
         });

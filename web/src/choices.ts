@@ -6,10 +6,13 @@ import type { Inputs } from "./inputs";
 const titles: Record<string, string> = {
     "mid-size": "Mid-sized car",
     "renault-zoe": "Renault ZOE",
-    "opel-corsa": "Opel Corsa",
     "vw-transporter": "VW Transporter",
     "mercedes-amg-gt": "Mercedes-AMG GT",
+    "kia-ev5": "Kia EV5",
+    "lexus-nx": "Lexus NX",
+    "mazda-mx-5": "Mazda MX-5",
 };
+const titleOf = (name: string) => titles[name] ?? name.split("-").map((word) => word.charAt(0).toUpperCase() + word.slice(1)).join(" ");
 
 const round = (value: number) => Number(value.toFixed(2));
 /** A slot or bay as wide and deep as they usually are for this car. */
@@ -25,14 +28,22 @@ function withKind(inputs: Inputs, kind: string): Inputs {
     return { ...inputs, angle, pose: null, scene: null, ...(same ? {} : usualSlot(inputs.car, angle)) };
 }
 
-export function createChoices(catalogue: Car[], inputs: () => Inputs, change: (next: Inputs) => void) {
+/** Cars as they are listed. */
+export interface CarGroup {
+    title: string;
+    cars: Car[];
+}
+
+export function createChoices(groups: CarGroup[], inputs: () => Inputs, change: (next: Inputs) => void) {
     const cars = byId<HTMLSelectElement>("car");
     cars.append(
-        ...catalogue.map((car) => html("option", { value: car.name }, titles[car.name!] ?? car.name!)),
+        ...groups.map(({ title, cars }) =>
+            html("optgroup", { label: title }, ...cars.map((car) => html("option", { value: car.name }, titleOf(car.name!)))),
+        ),
         html("option", { value: "" }, "My own dimensions"),
     );
     cars.addEventListener("change", () => {
-        const car = catalogue.find((one) => one.name === cars.value);
+        const car = groups.flatMap((group) => group.cars).find((one) => one.name === cars.value);
         if (car) change({ ...inputs(), car });
         else {
             const { name: _, ...own } = inputs().car;

@@ -4,6 +4,7 @@ import type { HeadingRange, Pose } from "snug";
 import { countColor } from "./colors";
 import { set, setText, svg } from "./dom";
 import { carCorners, clamp, degrees, samples, type Point, type Shape, type Track } from "./geometry";
+import { arrowsAcross, arrowsAlong, createHandles, knob as knobOf, watchSize } from "./handles";
 import { carShape, createVehicle, dimension, pen, round, type View } from "./view";
 import { plural } from "./words";
 
@@ -57,26 +58,17 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     // --- what stays and only moves
     const rearCar = neighbours.appendChild(carShape("neighbour"));
     const frontCar = neighbours.appendChild(carShape("neighbour"));
+    set(rearCar, { "data-grip-for": "rear" });
+    set(frontCar, { "data-grip-for": "front" });
     const vehicleAt = createVehicle(vehicle, drawn, view);
 
-    const grip = (what: Drag, label: string) => {
-        const element = svg(
-            "g",
-            { class: `grip grip-${what}`, role: "slider", tabindex: 0, "aria-label": label, "data-grip": what },
-            svg("circle", { r: 22, class: "reach" }),
-            svg("circle", { r: 13, class: "knob" }),
-            svg("path", {
-                class: "arrows",
-                d: what === "curb" || what === "heading" ? "M-3.5-3L0-7L3.5-3M-3.5 3L0 7L3.5 3" : "M-3-3.5L-7 0L-3 3.5M3-3.5L7 0L3 3.5",
-            }),
-        );
-        grips.appendChild(element);
-        return element;
+    const grip = (what: Drag, label: string, sign: string) => grips.appendChild(knobOf(what, label, sign));
+    const gripOf = {
+        rear: grip("rear", "Rear neighbour: length of the slot", arrowsAlong),
+        front: grip("front", "Front neighbour: length of the slot", arrowsAlong),
+        curb: grip("curb", "Curb: width of the slot", arrowsAcross),
+        heading: grip("heading", "Entry heading", arrowsAcross),
     };
-    const rearGrip = grip("rear", "Rear neighbour: length of the slot");
-    const frontGrip = grip("front", "Front neighbour: length of the slot");
-    const curbGrip = grip("curb", "Curb: width of the slot");
-    const headingGrip = grip("heading", "Entry heading");
 
     const fit = (s: Scene) => {
         const narrow = size.width < 600;
@@ -217,13 +209,13 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         };
         const inward = 24 / view.scale;
         const middle = -s.width / 2;
-        slider(rearGrip, { x: -s.length - inward, y: middle }, s.length, 0.5, 40, `${s.length.toFixed(3)} metres`);
-        slider(frontGrip, { x: inward, y: middle }, s.length, 0.5, 40, `${s.length.toFixed(3)} metres`);
-        slider(curbGrip, { x: -s.length / 2, y: -s.width - 17 / view.scale }, s.width, 0.3, 10, `${s.width.toFixed(3)} metres`);
+        slider(gripOf.rear, { x: -s.length - inward, y: middle }, s.length, 0.5, 40, `${s.length.toFixed(3)} metres`);
+        slider(gripOf.front, { x: inward, y: middle }, s.length, 0.5, 40, `${s.length.toFixed(3)} metres`);
+        slider(gripOf.curb, { x: -s.length / 2, y: -s.width - 17 / view.scale }, s.width, 0.3, 10, `${s.width.toFixed(3)} metres`);
         const knob = ray(s, s.heading, fanRadius() + 17 / view.scale);
-        slider(headingGrip, knob, degrees(s.heading), 0, 90, `${degrees(s.heading).toFixed(2)} degrees off parallel`);
+        slider(gripOf.heading, knob, degrees(s.heading), 0, 90, `${degrees(s.heading).toFixed(2)} degrees off parallel`);
         const turn = degrees(s.heading) * (s.left === s.forward ? -1 : 1);
-        set(headingGrip, { transform: `${headingGrip.getAttribute("transform")} rotate(${round(turn)})` });
+        set(gripOf.heading, { transform: `${gripOf.heading.getAttribute("transform")} rotate(${round(turn)})` });
     };
 
     const render = (next: Scene) => {
@@ -251,35 +243,17 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
 
     // --- dragging
     let dragAnchor = 0;
-    const pointer = (event: PointerEvent): Point => {
-        const frame = root.getBoundingClientRect();
-        return drawn.ground(event.clientX - frame.left, event.clientY - frame.top);
-    };
     const snap = (value: number) => Math.round(value * 200) / 200; // 5 mm
 
-    const what = (target: EventTarget | null): Drag | null => {
-        const element = target instanceof Element ? target : null;
-        const held = element?.closest("[data-grip]")?.getAttribute("data-grip") as Drag | undefined;
-        if (held) return held;
-        if (element && rearCar.contains(element)) return "rear";
-        return element && frontCar.contains(element) ? "front" : null;
-    };
-
-    root.addEventListener("pointerdown", (event) => {
-        const grabbed = what(event.target);
-        if (!grabbed || !scene || event.button !== 0) return;
-        event.preventDefault();
-        root.setPointerCapture(event.pointerId);
-        const p = pointer(event);
+    const grab = (what: Drag, p: Point) => {
+        if (!scene) return false;
         dragAnchor = view.x0 - view.fx * scene.length * view.scale;
-        const grab = { rear: p.x + scene.length, front: p.x, curb: p.y + scene.width, heading: 0 }[grabbed];
-        drag = { what: grabbed, grab };
-        root.classList.add("dragging");
-        ({ rear: rearGrip, front: frontGrip, curb: curbGrip, heading: headingGrip })[grabbed].focus({ preventScroll: true });
-    });
-    root.addEventListener("pointermove", (event) => {
+        const offset = { rear: p.x + scene.length, front: p.x, curb: p.y + scene.width, heading: 0 }[what];
+        drag = { what, grab: offset };
+        return true;
+    };
+    const move = (p: Point) => {
         if (!drag || !scene) return;
-        const p = pointer(event);
         if (drag.what === "rear") handles.length(snap(drag.grab - p.x));
         else if (drag.what === "front") handles.length(snap(scene.length + p.x - drag.grab));
         else if (drag.what === "curb") handles.width(snap(drag.grab - p.y));
@@ -288,38 +262,31 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
             const heading = Math.atan2(p.y, (scene.forward ? -1 : 1) * (p.x - c.x));
             handles.heading(clamp(heading < -Math.PI / 2 ? Math.PI / 2 : heading, 0, Math.PI / 2));
         }
-    });
-    const release = () => {
-        if (!drag) return;
-        drag = null;
-        root.classList.remove("dragging");
-        handles.released();
     };
-    root.addEventListener("pointerup", release);
-    root.addEventListener("pointercancel", release);
-
-    root.addEventListener("keydown", (event) => {
-        const held = what(event.target);
-        if (!held || !scene) return;
+    const key = (held: Drag, event: KeyboardEvent) => {
+        if (!scene) return false;
         const more = ["ArrowUp", "ArrowRight", "PageUp"].includes(event.key);
-        if (!more && !["ArrowDown", "ArrowLeft", "PageDown"].includes(event.key)) return;
-        event.preventDefault();
+        if (!more && !["ArrowDown", "ArrowLeft", "PageDown"].includes(event.key)) return false;
         const big = event.shiftKey || event.key.startsWith("Page");
         const step = (more ? 1 : -1) * (big ? 10 : event.altKey ? 0.1 : 1);
         const tidy = (value: number) => Math.round(value * 1e6) / 1e6;
         if (held === "heading") handles.heading(clamp(scene.heading + (step * Math.PI) / 180 / 10, 0, Math.PI / 2));
         else if (held === "curb") handles.width(tidy(scene.width + step / 100));
         else handles.length(tidy(scene.length + step / 100));
-    });
+        return true;
+    };
+    const release = () => {
+        drag = null;
+        handles.released();
+    };
+    createHandles(root, drawn.ground, gripOf, { grab, move, release, key });
 
-    new ResizeObserver(([entry]) => {
-        const { width, height } = entry!.contentRect;
-        size = { width, height };
-        set(root, { viewBox: `0 0 ${round(width)} ${round(height)}` });
+    watchSize(root, (now) => {
+        size = now;
         if (!scene) return;
         render(scene);
         if (shown) showCar(shown.pose, shown.steer);
-    }).observe(root);
+    });
 
     return { render, showCar, busy: () => drag !== null };
 }

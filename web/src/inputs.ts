@@ -188,7 +188,10 @@ const words = {
     strategy: ["max-steer", "fewest"],
 } as const;
 
-/** The part of a link after its #. */
+/** Of a link after its #: longer ones are cut off on the way by some programs. */
+const longestLink = 8000;
+
+/** The part of a link after its #. A place from a file is in it if it is short enough. */
 export function toLink(inputs: Inputs): string {
     const link = new URLSearchParams();
     link.set("mode", inputs.mode);
@@ -206,17 +209,27 @@ export function toLink(inputs: Inputs): string {
     if (inputs.strategy !== "max-steer") link.set("strategy", inputs.strategy);
     if (inputs.heading !== null) link.set("heading", plain(degrees(inputs.heading), 9));
     if (inputs.pose) for (const field of ["x", "y", "turn"] as const) link.set(field, plain(fieldValue(inputs, field)!, 9));
-    return link.toString();
+    const street = link.toString();
+    if (!inputs.scene) return street;
+    link.set("scene", JSON.stringify(inputs.scene));
+    const whole = link.toString();
+    return whole.length <= longestLink ? whole : street;
 }
+export const holdsScene = (link: string) => new URLSearchParams(link).has("scene");
 
 export interface Complaint {
     sentence: string;
     field?: NumberField;
 }
 
-/** What is good in a link, and sentences about what is not. */
-export function fromLink(text: string, usual: Inputs, catalogue: Car[]): { inputs: Inputs; complaints: Complaint[] } {
-    const link = new URLSearchParams(text.slice(0, 2000));
+/** What is good in a link, and sentences about what is not. `readScene` throws such a sentence. */
+export function fromLink(
+    text: string,
+    usual: Inputs,
+    catalogue: Car[],
+    readScene: (text: string) => Scene,
+): { inputs: Inputs; complaints: Complaint[] } {
+    const link = new URLSearchParams(text.slice(0, longestLink));
     // Before there was a street, links did not say which mode they mean: there was but one.
     let inputs: Inputs = [...link.keys()].length > 0 && !link.has("mode") ? { ...usual, mode: "entry" } : usual;
     const complaints: Complaint[] = [];
@@ -248,6 +261,14 @@ export function fromLink(text: string, usual: Inputs, catalogue: Car[]): { input
         if (word === null) continue;
         if ((known as readonly string[]).includes(word)) inputs = { ...inputs, [key]: word };
         else complaints.push({ sentence: `In the link: “${key}” must be ${known.join(" or ")}.` });
+    }
+    const scene = link.get("scene");
+    if (scene !== null) {
+        try {
+            inputs = { ...inputs, mode: "street", way: "in", scene: readScene(scene) };
+        } catch (error) {
+            complaints.push({ sentence: error instanceof Error ? `${error.message}.` : String(error) });
+        }
     }
     return { inputs, complaints };
 }

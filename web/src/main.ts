@@ -12,7 +12,7 @@ import { later } from "./later";
 import { createMaps } from "./maps";
 import { createParking } from "./parking";
 import { createPlayer } from "./player";
-import { asker } from "./questions";
+import { asker, type Asker } from "./questions";
 import { createSceneFile } from "./scene_file";
 import { createShare } from "./share";
 import { createShorter } from "./shorter";
@@ -20,8 +20,12 @@ import { compile, start } from "./solver";
 import { createStreet } from "./street";
 import { sayAnswer, sayHeading, sayPark } from "./words";
 
-function run(snug: Snug, module: WebAssembly.Module) {
-    const catalogue = snug.cars();
+function run(snug: Snug, questions: Asker) {
+    const groups = [
+        { title: "Of the paper", cars: snug.cars() },
+        { title: "Of data sheets", cars: snug.sheetCars().map(({ sheet: _, circle: __, ...car }) => car) },
+    ];
+    const catalogue = groups.flatMap(({ cars }) => cars);
     /** What a link leaves out. */
     const usual: Inputs = {
         mode: "street",
@@ -96,13 +100,15 @@ function run(snug: Snug, module: WebAssembly.Module) {
         },
         road: (by) => inputs.road !== null && change({ ...inputs, road: within("road", inputs.road + by) }),
         grabbed: () => player.pause(),
-        released: refresh,
+        released: () => {
+            parking.look();
+            refresh();
+        },
     });
     const player = createPlayer((pose, steer) => (inStreet() ? street : drawing).showCar(pose, steer));
     // A field that is not the pose leaves the usual one as it is.
     const fields = createFields(standing, (next) => change(next.pose === parking.state.pose ? { ...next, pose: inputs.pose } : next));
-    const choices = createChoices(catalogue, now, change);
-    const questions = asker(module);
+    const choices = createChoices(groups, now, change);
     const shorter = createShorter(questions);
     const { answers, frameTimes, ask, askRanges, final } = createAnswers(snug, questions, {
         changed: refresh,
@@ -113,6 +119,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
     const parking = createParking(snug, questions, {
         changed: refresh,
         busy: () => street.busy(),
+        still: () => !street.busy() && !drawing.busy() && !player.running(),
         slice: (heading) => (byId<HTMLInputElement>("show-map").checked ? street.slice(heading, street.busy() ? 10 : 5) : null),
     });
     const maps = createMaps(questions, (extraLength, extraWidth) => {
@@ -275,7 +282,7 @@ function run(snug: Snug, module: WebAssembly.Module) {
     }
     byId("inputs").addEventListener("input", () => (complaints = []));
     const follow = () => {
-        const link = fromLink(location.hash.slice(1), usual, catalogue);
+        const link = fromLink(location.hash.slice(1), usual, catalogue, (text) => snug.readScene(text, "the place in the link"));
         linked = "";
         inputs = link.inputs;
         complaints = link.complaints.filter(({ field }) => !field).map(({ sentence }) => sentence);
@@ -293,16 +300,17 @@ function run(snug: Snug, module: WebAssembly.Module) {
 }
 
 async function begin() {
-    if (typeof WebAssembly !== "object") throw new Error("This page needs a browser with WebAssembly; any from 2022 on has it.");
-    let module: WebAssembly.Module;
+    if (typeof WebAssembly !== "object") throw new Error("This page needs a browser with WebAssembly; any from spring 2023 on has it.");
+    let questions: Asker;
     let snug: Snug;
     try {
-        module = await compile();
+        const module = await compile();
+        questions = asker(module); // its first worker starts meanwhile
         snug = await start(module);
     } catch (error) {
-        throw new Error(`The solver could not be started here: ${error instanceof Error ? error.message : String(error)}. Any browser from 2022 on runs it.`);
+        throw new Error(`The solver could not be started here: ${error instanceof Error ? error.message : String(error)}. Any browser from spring 2023 on runs it.`);
     }
-    run(snug, module);
+    run(snug, questions);
 }
 
 begin().catch((error: unknown) => {

@@ -1,4 +1,5 @@
-// The answers in the street: from the map at once, and from the exact search a moment after the car stands still.
+// The answers in the street: from the map in the same frame, or a moment later from a worker's finer one, and from the exact
+// search once the car stands still.
 import type { FewestProgress, MapBounds, Maneuver, ParkAnswer, Pose, Scene, Snug } from "snug";
 import { drivingOf, goalOf, placeOf, type Inputs } from "./inputs";
 import { later } from "./later";
@@ -9,6 +10,8 @@ interface Listener {
     changed(): void;
     /** Something is being dragged: the exact search waits. */
     busy(): boolean;
+    /** Nothing is dragged or played. */
+    still(): boolean;
     /** What of the street is in the picture, and how finely it is painted there. */
     slice(heading: number): Slice | null;
 }
@@ -46,9 +49,10 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
     let wanted: Inputs | null = null;
     /** The slice that came last. */
     let painted = "";
-    const soonExact = later(120);
+    const soonExact = later(40);
 
-    const map = createStreetMap(questions, {
+    const map = createStreetMap(snug, questions, {
+        still: listener.still,
         ready: () => {
             painted = "";
             look();
@@ -56,7 +60,9 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         },
         seen: ({ pose, slice }, { bounds, way, counts }) => {
             state.trouble = "";
-            if (pose === state.pose) Object.assign(state, { bounds, way, lookedAt: pose });
+            // While the car is dragged, one map says all: no count jumps to and fro.
+            const stays = listener.busy() && map.state()?.own;
+            if (pose === state.pose && !stays) Object.assign(state, { bounds, way, lookedAt: pose });
             if (slice && counts) {
                 state.painted = { slice, counts };
                 painted = JSON.stringify(slice);
@@ -129,6 +135,8 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         wanted = inputs;
         Object.assign(state, { pose: inputs.pose ?? usualPose(inputs, state.scene), exact: null, soFar: null, trouble: "" });
         questions.abandon("park");
+        const seen = map.at(state.pose);
+        if (seen) Object.assign(state, { ...seen, lookedAt: state.pose });
         look();
         soonExact(askExact);
         return true;
@@ -139,5 +147,5 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         const slice = listener.slice(state.pose.heading);
         if (slice && !map.looking() && JSON.stringify(slice) !== painted) look();
     };
-    return { state, ask, again, map };
+    return { state, ask, again, look, map };
 }

@@ -18,6 +18,9 @@ export interface MapGrid {
     extraWidth: number;
 }
 
+/** Maps of the street count up to so many changes. */
+export const mostInStreet = 20;
+
 /** A car and where it parks. */
 export interface PlaceCase {
     car: Car;
@@ -39,7 +42,7 @@ export interface Questions {
         tell: { so_far: FewestProgress } | { answer: FewestAnswer };
     };
     entry: {
-        ask: Case & { slot: SlotLike };
+        ask: Case & { slot: SlotLike; prove: boolean };
         tell: { answer: EntryAnswer };
     };
     "min-slot": {
@@ -89,6 +92,20 @@ export function asker(module: WebAssembly.Module) {
     const lanes = new Map<string, Lane>();
     let ids = 0;
 
+    const begin = () => {
+        const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+        worker.postMessage({ module } satisfies ToWorker);
+        return worker;
+    };
+    /** One that is ready: to start takes longer than many an answer. */
+    let spare: Worker | null = begin();
+    const take = () => {
+        const worker = spare ?? begin();
+        spare = null;
+        setTimeout(() => (spare ??= begin()), 100);
+        return worker;
+    };
+
     const abandon = (lane: string) => {
         const old = lanes.get(lane);
         if (old?.busy) {
@@ -101,9 +118,7 @@ export function asker(module: WebAssembly.Module) {
         abandon(lane);
         let used = lanes.get(lane);
         if (!used) {
-            const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
-            worker.postMessage({ module } satisfies ToWorker);
-            used = { worker, busy: false, id: 0 };
+            used = { worker: take(), busy: false, id: 0 };
             lanes.set(lane, used);
         }
         const mine = used;

@@ -2,7 +2,7 @@
 import type { EntryAnswer, FewestAnswer, ParkAnswer } from "snug";
 import { byId, html, setText } from "./dom";
 import { asPng, rangesCsv, save, standalone, type Caption } from "./download";
-import { commandLine, plain, toLink, type Inputs } from "./inputs";
+import { commandLine, holdsScene, plain, toLink, type Inputs } from "./inputs";
 
 type Found = EntryAnswer | FewestAnswer | ParkAnswer;
 
@@ -20,8 +20,9 @@ export function createShare(inputs: () => Inputs, answer: () => Found | null, mo
         }
     };
     click("copy-link", () => {
-        if (inputs().scene) say("A place from a file does not fit into a link; pass the file on.");
-        else void copy(`${location.href.split("#")[0]}#${toLink(inputs())}`, "Link");
+        const link = toLink(inputs());
+        if (inputs().scene && !holdsScene(link)) say("This place is too large for a link; pass its file on.");
+        else void copy(`${location.href.split("#")[0]}#${link}`, "Link");
     });
     click("copy-command", () => void copy(commandLine(inputs(), moves()), "Command"));
 

@@ -4,6 +4,7 @@ import type { Pose, Scene as Place } from "snug";
 import { countColor, moreColor } from "./colors";
 import { set, setText, svg } from "./dom";
 import { carCorners, clamp, corners, degrees, entryPose, radians, samples, type Point, type Shape, type Track } from "./geometry";
+import { arrowsAcross, arrowsAlong, createHandles, knob, watchSize } from "./handles";
 import { tidyPose } from "./inputs";
 import { more, type Slice } from "./questions";
 import { carShape, createVehicle, dimension, pen, round, type View } from "./view";
@@ -67,27 +68,17 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
     const canvas = document.createElement("canvas");
 
     // --- handles
-    const arrows = (upright: boolean) => (upright ? "M-3.5-3L0-7L3.5-3M-3.5 3L0 7L3.5 3" : "M-3-3.5L-7 0L-3 3.5M3-3.5L7 0L3 3.5");
-    const grip = (what: Drag, label: string, d: string) =>
-        grips.appendChild(
-            svg(
-                "g",
-                { class: `grip grip-${what}`, role: "slider", tabindex: 0, "aria-label": label, "data-grip": what },
-                svg("circle", { r: 22, class: "reach" }),
-                svg("circle", { r: 13, class: "knob" }),
-                svg("path", { class: "arrows", d }),
-            ),
-        );
+    const grip = (what: Drag, label: string, sign: string) => grips.appendChild(knob(what, label, sign));
     const carGrip = grips.appendChild(
         svg("g", { class: "grip grip-car", role: "button", tabindex: 0, "data-grip": "car" }, svg("path", { class: "reach" })),
     );
     const gripOf = {
         car: carGrip as SVGElement,
         turn: grip("turn", "Your car: its heading", "M5.5-4.5A7 7 0 1 0 7 1M7.5-8V-3.5H3"),
-        rear: grip("rear", "Rear neighbour", arrows(false)),
-        front: grip("front", "Front neighbour", arrows(false)),
-        curb: grip("curb", "Curb: depth of the slot", arrows(true)),
-        far: grip("far", "Far side: width of the road", arrows(true)),
+        rear: grip("rear", "Rear neighbour", arrowsAlong),
+        front: grip("front", "Front neighbour", arrowsAlong),
+        curb: grip("curb", "Curb: depth of the slot", arrowsAcross),
+        far: grip("far", "Far side: width of the road", arrowsAcross),
     };
 
     // --- where everything is
@@ -103,7 +94,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
 
     const seenBox = (s: StreetScene): Box => {
         const region = s.place.region!;
-        const stands = carCorners(s.car, s.pose);
+        const stands = corners(s.car, s.pose, 0.4);
         if (!s.street) {
             const inside = bay(s);
             const named = s.place.obstacles.flatMap((one) => (Array.isArray(one) ? one : one.polygon).map(([x, y]) => ({ x, y })));
@@ -120,8 +111,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         const beside = (narrow ? 0.75 : 1.45) * own;
         const out = Math.min(s.street.road ?? Infinity, Math.max(1.5 * own, 6));
         const [low, high] = sense(s) > 0 ? [slot.y_min - 0.75, out + 0.45] : [-out - 0.45, slot.y_max + 0.75];
-        const all = extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside, y: high }, ...stands]);
-        return all;
+        return extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside, y: high }, ...stands]);
     };
 
     const fit = (s: StreetScene) => {
@@ -395,30 +385,15 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
     };
 
     // --- dragging
-    const pointer = (event: PointerEvent): Point => {
-        const frame = root.getBoundingClientRect();
-        return drawn.ground(event.clientX - frame.left, event.clientY - frame.top);
-    };
-    const what = (target: EventTarget | null): Drag | null => {
-        const element = target instanceof Element ? target.closest("[data-grip], [data-grip-for]") : null;
-        return (element?.getAttribute("data-grip") ?? element?.getAttribute("data-grip-for") ?? null) as Drag | null;
-    };
-
-    root.addEventListener("pointerdown", (event) => {
-        const grabbed = what(event.target);
-        if (!grabbed || !scene || event.button !== 0) return;
-        event.preventDefault();
-        root.setPointerCapture(event.pointerId);
-        const last = pointer(event);
+    const grab = (what: Drag, last: Point) => {
+        if (!scene) return false;
         const pose = shown?.pose ?? scene.pose;
-        drag = { what: grabbed, last, pose, offset: { x: pose.x - last.x, y: pose.y - last.y } };
-        root.classList.add("dragging");
-        gripOf[grabbed].focus({ preventScroll: true });
+        drag = { what, last, pose, offset: { x: pose.x - last.x, y: pose.y - last.y } };
         handles.grabbed();
-    });
-    root.addEventListener("pointermove", (event) => {
+        return true;
+    };
+    const move = (p: Point) => {
         if (!drag || !scene) return;
-        const p = pointer(event);
         const { what: held, offset, pose } = drag;
         if (held === "car") {
             handles.pose(tidyPose({ x: p.x + offset.x, y: p.y + offset.y, heading: pose.heading }));
@@ -439,48 +414,46 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
             else if (held === "curb") handles.depth(by);
             else handles.road(by);
         }
-    });
-    const release = () => {
-        if (!drag) return;
-        drag = null;
-        root.classList.remove("dragging");
-        handles.released();
     };
-    root.addEventListener("pointerup", release);
-    root.addEventListener("pointercancel", release);
-
-    root.addEventListener("keydown", (event) => {
-        const held = what(event.target);
-        if (!held || !scene) return;
+    const key = (held: Drag, event: KeyboardEvent) => {
+        if (!scene) return false;
         const step = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowRight: [1, 0], ArrowLeft: [-1, 0], PageUp: [0, 10], PageDown: [0, -10] }[event.key];
         const turn = { ",": 1, "<": 1, ".": -1, ">": -1 }[event.key];
         const factor = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
         const pose = shown?.pose ?? scene.pose;
-        if (held === "car" && turn) handles.pose(tidyPose({ ...pose, heading: pose.heading + radians(turn * factor) }));
-        else if (!step) return;
+        // Keys may come faster than frames: the next one goes on from here.
+        const put = (next: Pose) => {
+            shown = { pose: tidyPose(next), steer: 0 };
+            handles.pose(shown.pose);
+        };
+        if (held === "car" && turn) put({ ...pose, heading: pose.heading + radians(turn * factor) });
+        else if (!step) return false;
         else if (held === "car") {
             const by = 0.05 * factor * view.fx; // as it looks on the screen
-            handles.pose(tidyPose({ ...pose, x: pose.x + step[0]! * by, y: pose.y + step[1]! * by }));
-        } else if (held === "turn") handles.pose(tidyPose({ ...pose, heading: pose.heading + radians((step[1]! || -step[0]!) * factor) }));
+            put({ ...pose, x: pose.x + step[0]! * by, y: pose.y + step[1]! * by });
+        } else if (held === "turn") put({ ...pose, heading: pose.heading + radians((step[1]! || -step[0]!) * factor) });
         else {
             const by = (step[0]! || step[1]!) * 0.01 * factor;
             if (held === "rear" || held === "front") handles.along(by, held === "front");
             else if (held === "curb") handles.depth(by);
             else handles.road(by);
         }
-        event.preventDefault();
-    });
+        return true;
+    };
+    const release = () => {
+        drag = null;
+        handles.released();
+    };
+    createHandles(root, drawn.ground, gripOf, { grab, move, release, key });
 
-    new ResizeObserver(([entry]) => {
-        const { width, height } = entry!.contentRect;
-        size = { width, height };
-        if (width === 0) return;
-        set(root, { viewBox: `0 0 ${round(width)} ${round(height)}` });
+    watchSize(root, (now) => {
+        size = now;
+        if (size.width === 0) return;
         if (!scene) return;
         render(scene);
         if (shown) showCar(shown.pose, shown.steer);
         handles.released();
-    }).observe(root);
+    });
 
     return { render, showCar, slice, busy: () => drag !== null };
 }

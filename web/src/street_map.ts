@@ -1,7 +1,9 @@
 // The map of the street, from every pose: swept in a worker, coarse first and then finer, and looked up there. Two workers
-// take turns: one answers with the newest map while the other sweeps the next.
-import type { Car, Maneuver, MapBounds, Pose } from "snug";
-import type { Asker, PlaceCase, Slice } from "./questions";
+// take turns: one answers with the newest map while the other sweeps the next. Once a place stays as it is and nothing
+// moves, the page sweeps the coarse map itself, too: it is looked up in the frame that asks.
+import type { Car, Maneuver, MapBounds, ParkMap, Pose, Snug } from "snug";
+import { later } from "./later";
+import { mostInStreet, type Asker, type PlaceCase, type Slice } from "./questions";
 
 export interface Look {
     pose: Pose;
@@ -18,14 +20,19 @@ interface Listener {
     ready(): void;
     seen(look: Look, seen: Seen): void;
     failed(sentence: string): void;
+    /** Nothing is dragged or played: nobody sees a frame left out. */
+    still(): boolean;
 }
+
+/** What a worker took so long for the page does not do itself. [ms] */
+const longestOwn = 250;
 
 /** Lattices, as parts of the coarsest. */
 const levels = [1, 1 / 2, 1 / 3];
 /** A 32nd of the turning radius at most: the library takes no coarser one. */
 const coarsest = ({ wheelbase, max_steer }: Car) => Math.min(0.999 / 32 * (wheelbase / Math.tan(max_steer)), 0.16);
 
-export function createStreetMap(questions: Asker, listener: Listener) {
+export function createStreetMap(snug: Snug, questions: Asker, listener: Listener) {
     let wanted: PlaceCase | null = null;
     let key = "";
     let sweeping: { key: string; level: number } | null = null;
@@ -33,7 +40,7 @@ export function createStreetMap(questions: Asker, listener: Listener) {
     /** What the front worker holds. */
     let held: { key: string; spacing: number; milliseconds: number; level: number } | null = null;
     /** How long maps and looks took, for the tests and the bench. [ms] */
-    const times = { maps: [] as number[], looks: [] as number[] };
+    const times = { maps: [] as number[], looks: [] as number[], own: [] as number[] };
 
     const sweep = (level: number) => {
         if (!wanted) return;
@@ -48,12 +55,39 @@ export function createStreetMap(questions: Asker, listener: Listener) {
                 front = back;
                 held = { key: mine.key, level, ...told };
                 if (level === 0) times.maps.push(told.milliseconds);
+                if (level === 0 && told.milliseconds < longestOwn) soonOwn(sweepOwn);
                 looking = 0; // what the other worker was asked is asked again of this one
                 listener.ready();
             }
             if (mine.key !== key) sweep(0);
             else if (!("error" in told) && level + 1 < levels.length) sweep(level + 1);
         });
+    };
+
+    let own: { key: string; map: ParkMap } | null = null;
+    const soonOwn = later(300);
+    const sweepOwn = () => {
+        if (!wanted || own?.key === key) return;
+        if (!listener.still()) {
+            soonOwn(sweepOwn);
+            return;
+        }
+        own?.map.delete();
+        own = null;
+        const { car, place, options } = wanted;
+        try {
+            own = { key, map: snug.parkMap(car, place, { ...options, spacing: coarsest(car), max_changes: mostInStreet }) };
+        } catch {
+            // Out of memory, at worst: the workers' maps go on answering.
+        }
+    };
+    /** From the page's own map; null where that is of another place. */
+    const at = (pose: Pose): Pick<Seen, "bounds" | "way"> | null => {
+        if (own?.key !== key) return null;
+        const before = performance.now();
+        const found = { bounds: own.map.at(pose), way: own.map.maneuver(pose) };
+        times.own.push(performance.now() - before);
+        return found;
     };
 
     /** The place is this one now. */
@@ -92,9 +126,11 @@ export function createStreetMap(questions: Asker, listener: Listener) {
     return {
         set,
         look,
+        at,
+        sweepOwn,
         looking: () => looking !== 0,
         times,
         /** Null: none yet. `current`: of the place that was set last. */
-        state: () => held && { ...held, current: held.key === key, finest: held.level === levels.length - 1 },
+        state: () => held && { ...held, current: held.key === key, finest: held.level === levels.length - 1, own: own?.key === key },
     };
 }

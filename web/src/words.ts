@@ -1,5 +1,5 @@
 // The answer in words and large numbers.
-import type { FewestAnswer, HeadingRange, Maneuver, MaxSteerRun, Snug } from "snug";
+import type { EntryAnswer, FewestAnswer, HeadingRange, Maneuver, MaxSteerRun, Snug } from "snug";
 import type { Answers } from "./answers";
 import { byId, set, setText } from "./dom";
 import { degrees } from "./geometry";
@@ -49,7 +49,7 @@ export function sayPark(inputs: Inputs, { bounds, exact, soFar, pose, trouble }:
     const out = goalOf(inputs) === "road";
     const [fits, fitsNot] = out ? ["It gets out", "It does not get out"] : ["It parks", "It does not park"];
     setText(byId("strategy-note"), "Any steering, any stops: the fewest changes there can be, with proof.");
-    setText(byId("maneuver-note"), exact?.maneuver || !bounds?.first ? "" : "From the map; the exact search follows.");
+    setText(byId("maneuver-note"), exact?.maneuver || !bounds?.first ? "" : "From the map, checked by exact contact; a roomier one may follow.");
     setText(byId("stands"), `${metres(pose.x)}, ${metres(pose.y)}`);
     setText(byId("stands-note"), `${Number(degrees(pose.heading).toFixed(2)) + 0}° to the street. ${inputs.pose ? "" : "Drag the car anywhere."}`);
     set(byId("usual"), { hidden: inputs.pose ? null : "" });
@@ -80,7 +80,7 @@ export function sayPark(inputs: Inputs, { bounds, exact, soFar, pose, trouble }:
         const high = Math.min(bounds.direction_changes ?? Infinity, soFar?.direction_changes ?? Infinity);
         const known = high < Infinity ? high : undefined;
         const word = known === undefined ? "Searching" : fits!;
-        say(word, known === undefined ? "open" : "fits", range(low, known), plural(known ?? 2), low === known ? "Proved by the map." : "From the map; the exact answer follows.");
+        say(word, known === undefined ? "open" : "fits", range(low, known), plural(known ?? 2), low === known ? "Proved by the map: no maneuver has fewer." : "From the map, checked by exact contact; the proof follows.");
     }
 }
 
@@ -90,7 +90,8 @@ function sayEntry(snug: Snug, inputs: Inputs, { entry }: Answers, run: MaxSteerR
     const changes = entry?.direction_changes;
     const best = entry?.maneuver;
     if (changes === undefined || !best) {
-        const note = whyNot(snug, inputs, "No entry heading parks it within 200 changes.");
+        const none = "o entry heading parks it within 200 changes";
+        const note = whyNot(snug, inputs, entry?.proved ? `Proved: n${none}.` : `N${none}. ${unsure(entry)}`);
         say("It does not fit", "not", "∅", "no way in", note);
         return;
     }
@@ -101,8 +102,11 @@ function sayEntry(snug: Snug, inputs: Inputs, { entry }: Answers, run: MaxSteerR
     const mine = run?.maneuver ?? best;
     const here = mine.direction_changes;
     const better = run && here > changes ? `The best heading takes ${changes}. ` : "";
-    say("It fits", "fits", String(here), plural(here), better + sayRoom(inputs, mine));
+    say("It fits", "fits", String(here), plural(here), `${better}${entry?.proved ? "Proved: no heading takes fewer." : unsure(entry)} ${sayRoom(inputs, mine)}`);
 }
+
+/** Of full steering. */
+const unsure = (entry: EntryAnswer | null) => (entry?.undecided ? "Some headings are too close to call." : "Not proved yet.");
 
 function sayFewest(snug: Snug, inputs: Inputs, { fewest, bounds }: Answers, shown: Maneuver | undefined) {
     setText(byId("strategy-note"), "Any steering, any stops: the fewest changes there can be, with proof.");

@@ -1,6 +1,6 @@
 // Answers long questions away from the page, one at a time.
 import type { ParkMap, Snug } from "snug";
-import { more, type FromWorker, type Kind, type Questions, type ToWorker } from "./questions";
+import { more, mostInStreet, type FromWorker, type Kind, type Questions, type ToWorker } from "./questions";
 import { start } from "./solver";
 
 type Tell = (told: unknown, last?: boolean) => void;
@@ -17,8 +17,8 @@ const fewest: Answer<"fewest"> = (snug, { car, clearance, enter, slot }, tell) =
     tell({ answer }, true);
 };
 
-const entry: Answer<"entry"> = (snug, { car, clearance, enter, slot }, tell) =>
-    tell({ answer: snug.entry(car, slot, { clearance, enter }) }, true);
+const entry: Answer<"entry"> = (snug, { car, clearance, enter, slot, prove }, tell) =>
+    tell({ answer: snug.entry(car, slot, { clearance, enter, prove }) }, true);
 
 const minSlot: Answer<"min-slot"> = (snug, { car, ...options }, tell) => tell({ row: snug.minSlot(car, options) }, true);
 
@@ -27,8 +27,6 @@ const park: Answer<"park"> = (snug, { car, place, options, start }, tell) => {
     tell({ answer: snug.park(car, place, { ...options, start, time_limit: timeLimit, progress }) }, true);
 };
 
-/** Counted up to so many changes, in the street. */
-const mostInStreet = 20;
 let held: ParkMap | null = null;
 const streetMap: Answer<"street-map"> = (snug, { car, place, options, spacing }, tell) => {
     const before = performance.now();
@@ -54,7 +52,7 @@ const map: Answer<"map"> = (snug, { car, clearance, enter, grid, strategy }, tel
         for (let row = grid.rows - 1; row >= 0; --row) {
             const cells: Cells = [];
             for (let column = 0; column < grid.columns; ++column) {
-                const answer = snug.entry(car, size(column, row), { clearance, enter });
+                const answer = snug.entry(car, size(column, row), { clearance, enter, prove: false });
                 cells.push([column, row, 1, 1, answer.direction_changes ?? -1]);
             }
             tell({ cells, part: 1 - row / (grid.rows + 1) });

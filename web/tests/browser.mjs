@@ -19,21 +19,28 @@ export function native(...words) {
     }
 }
 
+let launched = null;
+/** One for all that is tested: it takes longer to start than a page. */
+const browser = () =>
+    (launched ??= chromium.launch({
+        executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+        args: ["--no-sandbox", "--disable-dev-shm-usage"],
+    }));
+export const closeBrowser = async () => (await launched)?.close();
+
 /** The page of this folder, or whatever is built in the `dist` of another. */
 export async function open({ root: of = root } = {}) {
     assert.ok(existsSync(command), `${command} is missing: build the command first`);
     const server = await preview({ root: of, configFile: false, logLevel: "error", preview: { port: 0, host: "127.0.0.1" }, base: "./" });
     const address = `http://127.0.0.1:${server.httpServer.address().port}/`;
-    const browser = await chromium.launch({
-        executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-        args: ["--no-sandbox", "--disable-dev-shm-usage"],
-    });
     const troubles = [];
+    const contexts = [];
     return {
         address,
         troubles,
         async page({ path = "", ready = true, ...options } = {}) {
-            const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, acceptDownloads: true, ...options });
+            const context = await (await browser()).newContext({ viewport: { width: 1400, height: 900 }, acceptDownloads: true, ...options });
+            contexts.push(context);
             const page = await context.newPage();
             page.setDefaultTimeout(60_000);
             page.on("console", (message) => message.type() === "error" && troubles.push(`console: ${message.text()}`));
@@ -45,8 +52,11 @@ export async function open({ root: of = root } = {}) {
             if (ready) await page.waitForFunction(() => document.documentElement.dataset.ready);
             return page;
         },
+        async closePages() {
+            for (const context of contexts.splice(0)) await context.close();
+        },
         async close() {
-            await browser.close();
+            await this.closePages();
             await new Promise((closed) => server.httpServer.close(closed));
         },
     };

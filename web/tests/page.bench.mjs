@@ -1,6 +1,6 @@
 // How long the built page takes: `npm run bench`. Each line is <question>/<strategy>/<case> and milliseconds; a busy machine
 // makes them larger, so nothing is asserted.
-import { open } from "./browser.mjs";
+import { closeBrowser, open } from "./browser.mjs";
 
 const site = await open();
 const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -38,10 +38,14 @@ async function load(name) {
     line(name, times);
 }
 
-/** The car driven about the street: what each look into the map took, there and back, and the maps themselves. */
+/**
+ * The car driven about the street: what each look into a map took, by the page itself and by a worker there and back; after the
+ * car is put down how long the proof takes; the maps themselves, and the answer where the car stands after a neighbour moved.
+ */
 async function street(name, path) {
     const page = await site.page({ path });
     await page.waitForFunction(() => window.snugPage.map.state()?.finest);
+    await page.evaluate(() => window.snugPage.map.sweepOwn());
     const grip = await page.locator('#street [data-grip="car"] .reach').boundingBox();
     const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
     await page.evaluate(() => (window.snugPage.map.times.looks.length = 0));
@@ -52,12 +56,28 @@ async function street(name, path) {
         await settled(page);
     }
     await page.mouse.up();
-    line(`${name}/look-and-maneuver`, await page.evaluate(() => window.snugPage.map.times.looks));
+    const since = (what) =>
+        page.evaluate(
+            (what) =>
+                new Promise((done) => {
+                    const begin = performance.now();
+                    const { map, parking, answer } = window.snugPage;
+                    const is = { proof: () => answer(), bounds: () => map.state().current && parking.bounds && parking.lookedAt === parking.pose }[what];
+                    const wait = () => (is() ? done(performance.now() - begin) : requestAnimationFrame(wait));
+                    wait();
+                }),
+            what,
+        );
+    line(`${name}/proof-after-drop`, [await since("proof")]);
+    line(`${name}/look-and-maneuver/in-the-frame`, await page.evaluate(() => window.snugPage.map.times.own));
+    line(`${name}/look-and-maneuver/by-a-worker`, await page.evaluate(() => window.snugPage.map.times.looks));
     await page.locator('#street [data-grip="rear"]').focus();
+    const moved = [];
     for (let i = 0; i < 8; ++i) {
         await page.keyboard.press("ArrowUp");
-        await page.waitForFunction(() => window.snugPage.map.state()?.current);
+        moved.push(await since("bounds"));
     }
+    line(`${name}/answer-after-a-neighbour-moved`, moved);
     line(`${name}/first-map`, await page.evaluate(() => window.snugPage.map.times.maps));
     await page.context().close();
 }
@@ -68,3 +88,4 @@ await drag("page/max-steer/drag-tight-slots", "#car=renault-zoe&length=4.9&width
 await street("page/street/parallel", "#mode=street");
 await street("page/street/perpendicular", "#mode=street&angle=90&length=5&width=2.5");
 await site.close();
+await closeBrowser();

@@ -4,25 +4,17 @@ import assert from "node:assert/strict";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { differences, native, open, random } from "./browser.mjs";
+import { after, test } from "node:test";
+import { differences, native, random } from "./browser.mjs";
+import { site } from "./site.mjs";
 
 const seed = 6;
 const total = process.env.SNUG_SOAK ? 2000 : 300; // each starts the command once
-let site;
-let page;
 const folder = mkdtempSync(join(tmpdir(), "snug-web-"));
-before(async () => {
-    site = await open();
-    page = await site.page();
-});
-after(async () => {
-    await site?.close();
-    rmSync(folder, { recursive: true });
-});
+after(() => rmSync(folder, { recursive: true }));
 
 /** Asks the page's solver many questions at once. */
-const inBrowser = (asked) =>
+const inBrowser = (page, asked) =>
     page.evaluate(
         (questions) =>
             questions.map(({ name, values }) => {
@@ -36,6 +28,7 @@ const inBrowser = (asked) =>
     );
 
 test(`${total} random questions have the same answers as the command's`, { timeout: 600_000 }, async () => {
+    const page = await site.page();
     const next = random(seed);
     const between = (low, high) => Number((low + (high - low) * next()).toFixed(5));
     const catalogue = await page.evaluate(() => window.snugPage.snug.cars());
@@ -79,27 +72,29 @@ test(`${total} random questions have the same answers as the command's`, { timeo
         }
         if (i % 10 === 5) {
             const max_changes = Math.floor(next() * 8);
+            const prove = i % 100 === 5;
             return {
                 name: "minSlot",
-                values: [car, { width, max_changes, clearance }],
-                words: ["min-slot", "--car", argument, "--width", width, "--max-changes", max_changes, "--clearance", clearance],
+                values: [car, { width, max_changes, clearance, prove }],
+                words: ["min-slot", "--car", argument, "--width", width, "--max-changes", max_changes, "--clearance", clearance, ...(prove ? ["--proof", "smaller"] : [])],
             };
         }
         const max_changes = next() < 0.3 ? Math.floor(next() * 12) : undefined;
         const limit = max_changes === undefined ? [] : ["--max-changes", max_changes];
         return {
             name: "entry",
-            values: [car, { length, width, side }, { enter, clearance, max_changes, prove: true }],
+            values: [car, { length, width, side }, { enter, clearance, max_changes }],
             words: ["entry", ...slot, ...how, ...limit],
         };
     });
     const answers = [];
-    for (let i = 0; i < total; i += 100) answers.push(...(await inBrowser(questions.slice(i, i + 100))));
+    for (let i = 0; i < total; i += 100) answers.push(...(await inBrowser(page, questions.slice(i, i + 100))));
     const failures = [];
     questions.forEach(({ name, words }, i) => {
         let expected = native(...words);
         if (name === "minSlot" && expected.rows) [expected] = expected.rows;
         delete expected.any_maneuver; // the command's own, where full steering cannot park
+        delete expected.start_tolerance; // and where it can
         const found = differences(answers[i], expected);
         if (found.length > 0) failures.push(`seed ${seed}, number ${i}: snug ${words.join(" ")}\n  ${found.slice(0, 4).join("\n  ")}`);
     });
@@ -107,6 +102,7 @@ test(`${total} random questions have the same answers as the command's`, { timeo
 });
 
 test("the map of a street bounds what the command answers", async () => {
+    const page = await site.page();
     const street = { length: 5.2, width: 2, road: 3.5 };
     const box = { x_min: -6, x_max: 4, y_min: -1, y_max: 3 };
     const poses = [
@@ -149,8 +145,9 @@ test("the map of a street bounds what the command answers", async () => {
 });
 
 test("errors are JavaScript's, with the core's messages", async () => {
+    const page = await site.page();
     const slot = { length: 5, width: 2 };
-    const asked = await inBrowser([
+    const asked = await inBrowser(page, [
         { name: "entry", values: ["renault-zoo", slot] },
         { name: "entry", values: [{ width: 1.8 }, slot] },
         { name: "entry", values: ["renault-zoe", { length: -1, width: 2 }] },
@@ -174,5 +171,4 @@ test("errors are JavaScript's, with the core's messages", async () => {
             return error instanceof Error;
         }
     }), true);
-    assert.deepEqual(site.troubles, []);
 });

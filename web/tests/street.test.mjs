@@ -1,35 +1,15 @@
 // The street as a person meets it: the car is dragged, turned, let go; what the page says is what the command says.
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, afterEach, before, test } from "node:test";
-import { differences, native, open, random, root } from "./browser.mjs";
+import { after, test } from "node:test";
+import { differences, native, random } from "./browser.mjs";
+import { choose, dragged, follow, inputs, middle, reachedByTab, screenshot, settled, site, text, touched, type, violations } from "./site.mjs";
 
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const folder = mkdtempSync(join(tmpdir(), "snug-street-"));
-let site;
-before(async () => {
-    site = await open();
-});
-after(async () => {
-    await site?.close();
-    rmSync(folder, { recursive: true });
-});
-afterEach(() => assert.deepEqual(site.troubles.splice(0), [], "errors on the console or requests to elsewhere"));
+after(() => rmSync(folder, { recursive: true }));
 
-const text = (page, id) => page.locator(`#${id}`).textContent();
-const inputs = (page) => page.evaluate(() => window.snugPage.inputs());
-const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-const choose = async (page, name, value) => {
-    await page.locator(`input[name=${name}][value=${value}]`).check({ force: true });
-    await settled(page);
-};
-const type = async (page, field, value) => {
-    await page.locator(`#${field}`).fill(value);
-    await settled(page);
-};
 /** The exact answer to what is set now. */
 const exact = async (page) => {
     await page.waitForFunction(() => window.snugPage.answer() !== null, null, { timeout: 120_000 });
@@ -44,29 +24,15 @@ const sameAsCommand = async (page, what) => {
     assert.deepEqual(differ, [], `${what}: snug ${(await words(page)).join(" ")}`);
     return found;
 };
-const middle = async (page, grip) => {
-    await page.evaluate(() => scrollTo(0, 0));
-    const { x, y, width, height } = await page.locator(`#street [data-grip="${grip}"] ${grip === "car" ? ".reach" : ".knob"}`).boundingBox();
-    return [x + width / 2, y + height / 2];
-};
-const drag = async (page, grip, dx, dy) => {
-    const [x, y] = await middle(page, grip);
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    await page.mouse.move(x + dx / 2, y + dy / 2);
-    await page.mouse.move(x + dx, y + dy);
-    await settled(page);
-    await page.mouse.up();
-    await settled(page);
-};
+const drag = (page, grip, dx, dy) => dragged(page, "street", grip, [dx / 2, dy / 2], [dx, dy]);
 
 test("the car dragged to ten poses: the map bounds the command's count, and the exact answer is the command's, bit for bit", { timeout: 900_000 }, async () => {
-    const page = await site.page();
+    const page = await site.page({ path: "#mode=street&length=5.4&width=2.1" });
     await mapped(page);
     const next = random(17);
     let free = 0;
     for (let i = 0; i < 40 && free < 10; ++i) {
-        const [x, y] = await middle(page, "car");
+        const [x, y] = await middle(page, "street", "car");
         const frame = await page.locator("#street").boundingBox();
         const to = [frame.x + frame.width * (0.2 + 0.6 * next()), frame.y + frame.height * (0.25 + 0.45 * next())];
         await drag(page, "car", to[0] - x, to[1] - y);
@@ -84,7 +50,36 @@ test("the car dragged to ten poses: the map bounds the command's count, and the 
         if (bounds.direction_changes !== undefined) assert.ok(bounds.direction_changes >= found.lower_bound);
     }
     assert.equal(free, 10);
-    await page.context().close();
+});
+
+test("while the car is dragged, the page's own map answers in the frame that asks, as the library's does", { timeout: 300_000 }, async () => {
+    const page = await site.page({ path: "#mode=street&length=5.4&width=2.1" });
+    await page.waitForFunction(() => window.snugPage.map.state()?.current);
+    await page.evaluate(() => {
+        const { snug, map } = window.snugPage;
+        map.sweepOwn();
+        const car = snug.car("renault-zoe");
+        const spacing = Math.min((0.999 / 32) * (car.wheelbase / Math.tan(car.max_steer)), 0.16);
+        window.again = snug.parkMap(car, { length: 5.4, width: 2.1, road: 6 }, { spacing, max_changes: 20 });
+    });
+    const [x, y] = await middle(page, "street", "car");
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 8; ++i) {
+        await page.mouse.move(x - 9 * i, y - 3 * i);
+        const [now, alone] = await page.evaluate(
+            () =>
+                new Promise((done) =>
+                    requestAnimationFrame(() => {
+                        const { lookedAt, pose, bounds, way } = window.snugPage.parking;
+                        const { again } = window;
+                        done([{ current: lookedAt === pose, bounds, way }, { current: true, bounds: again.at(pose), way: again.maneuver(pose) }]);
+                    }),
+                ),
+        );
+        assert.deepEqual(differences(now, alone), [], `step ${i}`);
+    }
+    await page.mouse.up();
 });
 
 test("every kind of place has the command's answer: at an angle, tail and nose first, both sides, in and out", { timeout: 900_000 }, async () => {
@@ -105,7 +100,6 @@ test("every kind of place has the command's answer: at an angle, tail and nose f
         if (way === "out") await drag(page, "car", 3, 0); // `snug leave` is told where the car stands
         await sameAsCommand(page, `${kind} ${enter} ${side} ${way}`);
     }
-    await page.context().close();
 });
 
 test("unequal neighbours, a low curb, an open road and clearance have the command's answer", { timeout: 900_000 }, async () => {
@@ -114,7 +108,6 @@ test("unequal neighbours, a low curb, an open road and clearance have the comman
     const found = await sameAsCommand(page, "setbacks");
     assert.equal(found.slot.front_setback, 0.3);
     assert.equal(found.slot.curb, "low");
-    await page.context().close();
 });
 
 test("a car with rounded corners, from data-sheet numbers with units", { timeout: 900_000 }, async () => {
@@ -132,7 +125,6 @@ test("a car with rounded corners, from data-sheet numbers with units", { timeout
     const found = await exact(page);
     const expected = native("park", "--car", file, "--length", 5.3, "--width", 2, "--road", 6);
     assert.deepEqual(differences(found, expected), []);
-    await page.context().close();
 });
 
 test("dragging neighbours, curb and far side changes the place, and the car stays where it is", async () => {
@@ -143,7 +135,7 @@ test("dragging neighbours, curb and far side changes the place, and the car stay
     const longer = await inputs(page);
     assert.ok(longer.length > start.length + 0.3);
     await drag(page, "car", -20, -10);
-    const [x, y] = await middle(page, "car");
+    const [x, y] = await middle(page, "street", "car");
     await drag(page, "front", 30, 0);
     const front = await inputs(page);
     assert.ok(front.length > longer.length && front.pose.x < (await page.evaluate(() => 1e9)));
@@ -153,7 +145,6 @@ test("dragging neighbours, curb and far side changes the place, and the car stay
     assert.ok((await inputs(page)).road < start.road);
     assert.ok(Math.hypot(x, y) > 0);
     await mapped(page);
-    await page.context().close();
 });
 
 test("the street is coloured by the map's counts at the car's heading, and anew when it turns", { timeout: 300_000 }, async () => {
@@ -194,7 +185,6 @@ test("the street is coloured by the map's counts at the car's heading, and anew 
     await page.locator("#show-map").uncheck();
     await settled(page);
     assert.equal(await page.locator("#street image").getAttribute("href"), null);
-    await page.context().close();
 });
 
 test("played as the trajectory has it: its time, its distances, a wheel that tells left from right", { timeout: 300_000 }, async () => {
@@ -223,7 +213,6 @@ test("played as the trajectory has it: its time, its distances, a wheel that tel
     await page.locator("#play").click();
     await page.waitForFunction(() => / m\/s/.test(document.getElementById("now-detail").textContent) && !/ 0\.00 m\/s/.test(document.getElementById("now-detail").textContent));
     await page.locator("#play").click();
-    await page.context().close();
 });
 
 test("a scene file or a TPCAP case dropped on the page opens; what is none is explained", { timeout: 300_000 }, async () => {
@@ -249,6 +238,10 @@ test("a scene file or a TPCAP case dropped on the page opens; what is none is ex
     await page.waitForFunction(() => window.snugPage.inputs().scene);
     const found = await exact(page);
     assert.deepEqual(differences(found, native("park", "--car", "renault-zoe", "--scene", file)), []);
+    // Short enough for a link, which brings it back.
+    await page.waitForFunction(() => location.hash.includes("scene="));
+    const again = await site.page({ path: await page.evaluate(() => location.hash) });
+    assert.deepEqual((await inputs(again)).scene, (await inputs(page)).scene);
     await drop("case.csv", "6,2,0,-2.5,-1,0,2,4,4,0,0,4,0,4,-2,0,-2,-9,0,-5,0,-5,-2,-9,-2");
     await page.waitForFunction(() => window.snugPage.inputs().scene?.obstacles.length === 2);
     assert.equal(await text(page, "trouble"), "");
@@ -262,7 +255,6 @@ test("a scene file or a TPCAP case dropped on the page opens; what is none is ex
     await page.locator("#close-scene").click();
     await settled(page);
     assert.equal((await inputs(page)).scene, null);
-    await page.context().close();
 });
 
 test("links: the street's come back whole, the old ones open as they were, bad ones are explained", { timeout: 300_000 }, async () => {
@@ -277,19 +269,18 @@ test("links: the street's come back whole, the old ones open as they were, bad o
     const one = await inputs(page);
     const again = await site.page({ path: hash });
     assert.deepEqual(await inputs(again), one);
-    await again.context().close();
-    const old = await site.page({ path: "#car=renault-zoe&length=4.5&width=2" });
-    assert.equal((await inputs(old)).mode, "entry");
-    assert.equal(await text(old, "count"), "18");
-    await old.context().close();
-    for (const hostile of ["#mode=street&x=1e9&y=NaN&turn=<b>&angle=91&road=-1", "#mode=sky&way=__proto__&curb=soft&front-setback=99", "#mode=street&length=0.5&width=0.3&car-corner=3"]) {
-        const bad = await site.page({ path: hostile });
-        const said = (await text(bad, "trouble")) + (await bad.locator(".error").allTextContents()).join("");
+    await follow(again, "#car=renault-zoe&length=4.5&width=2");
+    assert.equal((await inputs(again)).mode, "entry");
+    assert.equal(await text(again, "count"), "18");
+    for (const hostile of ["#mode=street&x=1e9&y=NaN&turn=<b>&angle=91&road=-1", "#mode=sky&way=__proto__&curb=soft&front-setback=99", "#mode=street&length=0.5&width=0.3&car-corner=3",
+        "#mode=street&scene=<b>", `#mode=street&scene=${encodeURIComponent('{"obstacles":[[[0,0],[1,"<b>x</b>"],[1,1]]],"parked":{},"start":[0,0,0]}')}`]) {
+        await follow(page, "#mode=street");
+        await follow(page, hostile);
+        const said = (await text(page, "trouble")) + (await page.locator(".error").allTextContents()).join("");
         assert.ok(said.length > 20, hostile);
-        assert.equal(await bad.evaluate(() => document.querySelectorAll("main b").length), 0);
-        await bad.context().close();
+        assert.equal(await page.evaluate(() => document.querySelectorAll("main b").length), 0);
+        assert.equal((await inputs(page)).scene, null);
     }
-    await page.context().close();
 });
 
 test("what was wrong: headlines, commands, maps, slots and pictures say what is", { timeout: 300_000 }, async () => {
@@ -329,19 +320,11 @@ test("what was wrong: headlines, commands, maps, slots and pictures say what is"
     assert.match(svg, /snug park --car car\.json --length 4\.9/);
     assert.match(svg, new RegExp(`It parks: ${maneuver.direction_changes} direction changes?`));
     assert.equal(svg.match(/>\d+\. (forward|backward), /g).length, maneuver.moves.length);
-    await page.context().close();
 });
 
 test("the car by keyboard alone: everything is reached, arrows move it, full stop and comma turn it", async () => {
     const page = await site.page();
-    const reached = new Set();
-    for (let i = 0; i < 70 && !reached.has("save-csv"); ++i) {
-        await page.keyboard.press("Tab");
-        reached.add(await page.evaluate(() => {
-            const at = document.activeElement;
-            return at.id || at.dataset.grip || at.name || at.localName;
-        }));
-    }
+    const reached = await reachedByTab(page, "save-csv");
     for (const what of ["mode", "car", "turn", "rear", "front", "curb", "far", "play", "kind", "angle", "road", "side", "way", "enter", "x", "y", "clearance", "scene-file", "show-map", "tracks", "save-csv"])
         assert.ok(reached.has(what), `${what} is not reached: ${[...reached].join(", ")}`);
     const start = await page.evaluate(() => window.snugPage.parking.pose);
@@ -358,7 +341,6 @@ test("the car by keyboard alone: everything is reached, arrows move it, full sto
     near((await press("turn", "Shift+ArrowDown")).heading, (-9 * Math.PI) / 180);
     await press("far", "ArrowUp");
     near((await inputs(page)).road, 6.01);
-    await page.context().close();
 });
 
 for (const [device, viewport, phone] of [
@@ -380,17 +362,9 @@ for (const [device, viewport, phone] of [
         assert.ok(picture.y > -picture.height / 2, "the picture is out of sight");
         assert.ok(field.y >= (picture.x + picture.width > field.x ? picture.y + picture.height - 1 : 0), "the field is under the picture");
         if (phone) {
-            await page.evaluate(() => scrollTo(0, 0));
-            const client = await page.context().newCDPSession(page);
-            const [x, y] = await middle(page, "car");
-            const touch = (kind, points) => client.send("Input.dispatchTouchEvent", { type: kind, touchPoints: points });
-            await touch("touchStart", [{ x, y }]);
-            for (let by = 4; by <= 24; by += 4) await touch("touchMove", [{ x: x - by, y }]);
-            await touch("touchEnd", []);
-            await settled(page);
+            await touched(page, "street", "car", ...[4, 8, 12, 16, 20, 24].map((by) => [-by, 0]));
             assert.ok((await inputs(page)).pose, "the car was not dragged");
         }
-        await page.context().close();
     });
 
 for (const colorScheme of ["light", "dark"])
@@ -398,15 +372,11 @@ for (const colorScheme of ["light", "dark"])
         test(`axe finds nothing wrong with the street: ${device}, ${colorScheme}`, { timeout: 300_000 }, async () => {
             const page = await site.page({ viewport, colorScheme, bypassCSP: true });
             await page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
-            await page.addScriptTag({ content: axe });
-            const results = await page.evaluate(async () =>
-                (await window.axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target).join(", ")}`),
-            );
-            assert.deepEqual(results, []);
+            assert.deepEqual(await violations(page, colorScheme), []);
             await page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = false)));
-            await page.waitForFunction(() => window.snugPage.map.state()?.finest && window.snugPage.answer());
+            await mapped(page);
+            // The picture in the README is the first of them.
+            if (device === "desktop" && colorScheme === "light") await page.waitForFunction(() => window.snugPage.map.state()?.finest && window.snugPage.answer());
             await settled(page);
-            const folder = process.env.SNUG_SCREENSHOTS ?? join(root, "../build/web");
-            await page.screenshot({ path: join(folder, `page-${device}-${colorScheme}.png`) });
-            await page.context().close();
+            await screenshot(page, `page-${device}-${colorScheme}`);
         });

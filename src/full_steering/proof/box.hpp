@@ -42,6 +42,7 @@ struct State {
     bool backward = true;
     bool first = true;
     double x_noise = 0.0, y_noise = 0.0;  ///< of the centre: how far it can be from a straight line in the heading
+    std::array<double, 3> turned = {infinity, infinity, infinity};  ///< in the last moves, the last one first, roughly
 };
 
 /// A stretch of headings, and what is known of it when its first moves are driven.
@@ -57,6 +58,14 @@ struct Box {
           max(most),
           middle(0.5 * (least + most)),
           half(std::max(max - middle, middle - min) * upward + 1e-300) {}
+};
+
+/// Starts at one heading that are off the entry position, away from the corner it touches: this far along the slot and out
+/// into the road. [m]
+struct Starts {
+    double heading = 0.0;
+    double along_min = 0.0, along_max = 0.0;
+    double out_min = 0.0, out_max = 0.0;
 };
 
 /// Why something could not be told, and so where to cut: at the root of a quantity, or (beside a graze) nearer to it.

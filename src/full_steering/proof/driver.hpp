@@ -15,6 +15,7 @@ public:
 
     /// With at most `limit` changes. The box is told what may be wrong with it.
     Outcome look(Box& box, int limit);
+    Outcome look(const Starts& starts, int limit);
 
     /// The last box before move n, and how it may have come that far in two ways.
     [[nodiscard]] const State& before(int n) const { return trail_[static_cast<std::size_t>(n)]; }

@@ -105,6 +105,33 @@ State Mover::enter(const Box& box) const {
     return state;
 }
 
+State Mover::enter(const Starts& starts) const {
+    State state = enter(Box(starts.heading, starts.heading));
+    const double along = 0.5 * (starts.along_min + starts.along_max);
+    const double out = 0.5 * (starts.out_min + starts.out_max);
+    const double along_half = std::max(starts.along_max - along, along - starts.along_min) * upward + underflow;
+    const double out_half = std::max(starts.out_max - out, out - starts.out_min) * upward + underflow;
+    state.x = state.x - along;
+    state.y = state.y + out;
+    // What reaches farther goes in the place of the heading, which is the same for all.
+    const bool longer = along_half >= out_half;
+    state.x.along = longer ? -along_half : 0.0;
+    state.y.along = longer ? 0.0 : out_half;
+    gather(state, {longer ? Column{0.0, out_half} : Column{along_half, 0.0}, Column{}});
+    state.start.off = {0.0, 0.0, 0.0, 0.0, state.start.off.span()};
+    state.first = false;
+    // The point that would touch the corner is no farther ahead and no lower, so that condition does not hold.
+    const std::vector<Stage>& stages = backward_.of[front].stages;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const double end = i + 1 < stages.size() ? stages[i + 1].angle : stages[0].angle - 2.0 * pi;
+        if (stages[i].entry_condition < 0 || starts.heading > stages[i].angle + 4.0 * angle_error ||
+            starts.heading < end - 4.0 * angle_error)
+            continue;
+        state.touched[front].add(i, static_cast<std::size_t>(stages[i].entry_condition));
+    }
+    return state;
+}
+
 After Mover::move(const State& state, State& then, Outcome& outcome, const Failure* graze, bool meets_curb) {
     if (sinking_.too_high(state)) return After::ended;
     ++moves_;
@@ -196,6 +223,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
     then.x = state.x;
     then.y = state.y;
     then.backward = state.backward;
+    then.turned = {difference(state.start, until).mid, state.turned[0], state.turned[1]};
     turn_over(then, until, steering.across);
     return After::moved;
 }

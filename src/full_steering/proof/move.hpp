@@ -28,6 +28,8 @@ public:
 
     /// Centre and heading at the entry position of all headings in the box.
     [[nodiscard]] State enter(const Box& box) const;
+    /// The same for starts off the entry position.
+    [[nodiscard]] State enter(const Starts& starts) const;
     /// For a box of which nothing is known yet.
     void forget() { doubtful_ = false; }
     /// Move outcome.move. `graze`: one that is taken to meet the curb, or to pass.

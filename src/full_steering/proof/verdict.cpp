@@ -1,43 +1,60 @@
 #include "full_steering/proof/verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <utility>
+
+#include "full_steering/cases.hpp"
+#include "full_steering/follow.hpp"
 
 namespace snug::detail {
 
-int SingleRuns::changes_from(double heading, int most) const {
-    constexpr QuarterHeading straight_down = {1.0, 0.0, 1};
-    FullSteeringRun run(steering, heading);
-    for (int changes = 0; changes <= most; ++changes) {
-        const QuarterHeading start = run.heading();
-        const Turn turn = {run.backward() ? &steering.backward : &steering.forward, &steering.problem, run.x(),
-                           run.y()};
-        const FullMove move = run.drive<false>();
-        const bool goes_round = move.meets == Meets::nothing || run.heading().quarter > 1;
-        if (move.stuck) return -1;
-        // Beyond a quarter turn off parallel it is not parked, wherever its frame is.
-        if (move.depth <= 0.0 && (!goes_round || first_parked(turn, start, straight_down, 0.0))) return changes;
-        if (goes_round) return -1;
+std::optional<int> SingleRuns::changes_from(double heading, int most) const {
+    const int changes = direction_changes_alone(steering, heading, most);
+    for (const double more : {steering.problem.touch, -steering.problem.touch}) {
+        FullSteering other = steering;
+        other.problem.length += more;
+        other.problem.width += more;
+        if (direction_changes_alone(other, heading, most) != changes) return std::nullopt;
     }
-    return -1;
+    return changes;
 }
 
 void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found, std::vector<Headings>& noise) {
-    std::erase_if(found, [&](const CountedHeadings& range) {
-        if (runs.changes_from(0.5 * (range.min + range.max), range.changes) == range.changes) return false;
-        noise.push_back({range.min, range.max});
-        return true;
-    });
+    std::vector<CountedHeadings> left;
+    std::size_t next = 0;
+    const auto leave_out = [&](std::size_t end) {
+        for (; next < end; ++next) noise.push_back({found[next].min, found[next].max});
+    };
+    for (const Chain& chain : chains(found, never, resolvable_range)) {
+        leave_out(chain.first);
+        for (; next <= chain.last; ++next) {
+            const CountedHeadings& range = found[next];
+            if (runs.changes_from(0.5 * (range.min + range.max), range.changes) == range.changes) {
+                left.push_back(range);
+            } else {
+                noise.push_back({range.min, range.max});
+            }
+        }
+    }
+    leave_out(found.size());
+    found = std::move(left);
 }
 
 ProofHints hints_from(const std::vector<CountedHeadings>& found, int changes) {
-    constexpr double beside = 1.5e-12;
+    // Beside the end of a range every box may be so wide, and no wider, that its square is as narrow as the one before.
+    constexpr std::array beside = {1.5e-12, 1e-7, 1e-4};
     constexpr double end = 1.57079632679489661923;
     ProofHints hints{changes, {}};
-    for (int i = 1; i < 16; ++i) hints.headings.push_back(end * i / 16);
-    for (const CountedHeadings& range : found)
-        hints.headings.insert(hints.headings.end(),
-                              {range.min - beside, range.min + beside, range.max - beside, range.max + beside});
+    for (const int i : {1, 2, 3, 4, 5, 6, 8, 11}) hints.headings.push_back(end * i / 16);
+    for (const CountedHeadings& range : found) {
+        const double wide = range.max - range.min;
+        for (const double away : beside) {
+            hints.headings.insert(hints.headings.end(), {range.min - away, range.max + away});
+            if (2.0 * away < wide) hints.headings.insert(hints.headings.end(), {range.min + away, range.max - away});
+        }
+    }
     std::sort(hints.headings.begin(), hints.headings.end());
     return hints;
 }
@@ -92,14 +109,17 @@ void settle(const SingleRuns& runs, std::vector<CountedHeadings>& found, const P
             undecided.push_back({min, max});
         }
     }
-    for (const Sliver& sliver : proved.undecided)
-        if (sliver.max - sliver.min > one_subrange) undecided.push_back({sliver.min, sliver.max});
-    for (const CountedHeadings& range : proved.ranges) {  // too narrow to be compared
-        const bool known = std::any_of(found.begin(), found.end(), [&](const CountedHeadings& other) {
-            return other.min <= range.max + one_subrange && range.min <= other.max + one_subrange;
-        });
-        if (!known) undecided.push_back({range.min, range.max});
-    }
+    // Those too narrow to be compared are the ends of ranges, or have been missed.
+    const auto leave_open = [&](double min, double max) {
+        const bool at_an_end =
+            max - min <= one_subrange && std::any_of(found.begin(), found.end(), [&](const CountedHeadings& range) {
+                return range.min <= max + one_subrange && min <= range.max + one_subrange;
+            });
+        if (!at_an_end) undecided.push_back({min, max});
+    };
+    for (const Sliver& sliver : proved.undecided) leave_open(sliver.min, sliver.max);
+    for (const CountedHeadings& range : proved.ranges)
+        if (range.max - range.min <= one_subrange) leave_open(range.min, range.max);
 }
 
 std::vector<Headings> joined(std::vector<Headings> parts) {

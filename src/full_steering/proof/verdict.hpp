@@ -1,6 +1,7 @@
 // What a search found and what is proved, put beside each other: single runs decide where the two differ.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "full_steering/full_steering.hpp"
@@ -14,11 +15,13 @@ namespace snug::detail {
 struct SingleRuns {
     const FullSteering& steering;
 
-    /// How many changes it parks with; -1 if it does not, with up to that many.
-    [[nodiscard]] int changes_from(double heading, int most) const;
+    /// How many changes it parks with; -1 if it does not, with up to that many. Nothing where rounding decides: where it is
+    /// not so in slots that are larger and smaller by a hair.
+    [[nodiscard]] std::optional<int> changes_from(double heading, int most) const;
 };
 
-/// Takes out the ranges whose middle does not park with their count: rounding made them.
+/// Takes out what rounding made or hides: ranges whose middle does not park with their count, and stretches too narrow to
+/// be told from it.
 void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found, std::vector<Headings>& noise);
 
 /// Where the proof is to cut first: around the edges found, and here and there.

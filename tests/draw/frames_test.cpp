@@ -1,0 +1,161 @@
+// Pictures show what the solver says: the frames drawn are those of the answer's poses, and the title has its count.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "snug/draw.hpp"
+#include "snug/snug.hpp"
+
+namespace snug {
+namespace {
+
+using Place2 = std::complex<double>;
+using Quad = std::array<Place2, 4>;
+
+/// Closed paths of four corners that are stroked, in page coordinates.
+std::vector<Quad> quads(const std::string& svg) {
+    std::vector<Quad> found;
+    for (std::size_t at = svg.find("<path "); at != std::string::npos; at = svg.find("<path ", at + 1)) {
+        const std::string tag = svg.substr(at, svg.find('>', at) - at);
+        if (tag.find("fill:none") == std::string::npos) continue;
+        std::istringstream path(tag.substr(tag.find(" d=\"") + 4));
+        Quad quad;
+        bool whole = true;
+        for (std::size_t i = 0; i < 4; ++i) {
+            std::string letter;
+            double x = 0.0, y = 0.0;
+            path >> letter >> x >> y;
+            quad[i] = {x, y};
+            whole = whole && path && letter == (i == 0 ? "M" : "L");
+        }
+        std::string end;
+        path >> end;
+        if (whole && end[0] == 'Z') found.push_back(quad);
+    }
+    return found;
+}
+
+/// The corners of a car's frame in the world: front left, rear left, rear right, front right, as they are drawn.
+Quad frame_of(const Car& car, const Pose& pose) {
+    const Place2 rear_axle(pose.x, pose.y);
+    const Place2 turned = std::polar(1.0, pose.heading);
+    const double side = car.width() / 2.0;
+    return {rear_axle + turned * Place2(car.front(), side), rear_axle + turned * Place2(-car.rear(), side),
+            rear_axle + turned * Place2(-car.rear(), -side), rear_axle + turned * Place2(car.front(), -side)};
+}
+
+double apart(const Quad& a, const Quad& b) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) most = std::max(most, std::abs(a[i] - b[i]));
+    return most;
+}
+
+/// Of all quadrilaterals in the picture those that have the car's proportions are its frames. The first pose tells where the
+/// page lies in the world (its y runs down); every pose must then be there, and nothing else.
+void expect_frames(const std::string& svg, const Car& car, const Maneuver& maneuver, int direction_changes) {
+    std::vector<Pose> poses = {maneuver.entry(), maneuver.goal()};
+    for (std::size_t i = 1; i < maneuver.moves.size(); ++i) {
+        if (maneuver.moves[i].direction != maneuver.moves[i - 1].direction) poses.push_back(maneuver.moves[i].start);
+    }
+    std::vector<Quad> frames;
+    for (const Quad& quad : quads(svg)) {
+        const double proportion = std::abs(quad[0] - quad[1]) / std::abs(quad[1] - quad[2]);
+        if (std::abs(proportion / (car.length() / car.width()) - 1.0) < 1e-3) frames.push_back(quad);
+    }
+    ASSERT_GE(frames.size(), poses.size());
+    const Quad first = frame_of(car, poses.front());
+    double least = INFINITY;  // [m], over all frames that may be the first pose
+    for (const Quad& drawn : frames) {
+        const Place2 scale = (drawn[0] - drawn[1]) / std::conj(first[0] - first[1]);
+        const auto on_page = [&](const Pose& pose) {
+            Quad page = frame_of(car, pose);
+            for (Place2& corner : page) corner = drawn[0] + scale * std::conj(corner - first[0]);
+            return page;
+        };
+        double most = 0.0;
+        const auto nearest = [&](const Quad& to, const auto& among, const auto& as_quad) {
+            double distance = INFINITY;
+            for (const auto& one : among) distance = std::min(distance, apart(to, as_quad(one)));
+            most = std::max(most, distance / std::abs(scale));
+        };
+        for (const Pose& pose : poses) nearest(on_page(pose), frames, [](const Quad& quad) { return quad; });
+        for (const Quad& frame : frames) nearest(frame, poses, on_page);
+        least = std::min(least, most);
+    }
+    EXPECT_LT(least, 1e-3) << "some frame is so far from where the car is";
+    const std::string number = direction_changes == 0 ? "no" : std::to_string(direction_changes);
+    const std::string count = number + " direction change" + (direction_changes > 1 ? "s" : "");
+    const std::string title = svg.substr(svg.find("<title>"), svg.find("</title>") - svg.find("<title>"));
+    EXPECT_NE(title.find(' ' + count), std::string::npos) << title;
+    EXPECT_EQ(maneuver.direction_changes(), direction_changes);
+}
+
+TEST(DrawnFrames, AreThoseOfAnEntry) {
+    const Car zoe = *find_car("renault-zoe");
+    const Car mid = *find_car("mid-size");
+    struct Asked {
+        Car car;
+        Slot slot;
+        Driving driving;
+    };
+    for (const Asked& asked : {Asked{zoe, Slot({.length = 4.5, .width = 2.0}), {}},
+                               Asked{mid, Slot({5.1, 2.2, Side::left, {3.0, -4.0}, 0.7}), {}},
+                               Asked{zoe, Slot({.length = 5.2, .width = 2.2}), {.clearance = 0.02}},
+                               Asked{zoe, Slot({.length = 7.0, .width = 3.2}), {.enter = Enter::forward}}}) {
+        EntryOptions options;
+        options.driving = asked.driving;
+        options.prove = false;
+        const Answer answer = entry(asked.car, asked.slot, options);
+        ASSERT_TRUE(answer.parkable());
+        PictureOptions picture;
+        picture.driving = asked.driving;
+        expect_frames(draw_maneuver(asked.car, asked.slot, answer, PictureFormat::svg, picture), asked.car,
+                      *answer.maneuver, *answer.direction_changes);
+    }
+}
+
+TEST(DrawnFrames, AreThoseOfTheWayOut) {
+    const Car zoe = *find_car("renault-zoe");
+    const Slot slot({.length = 5.0, .width = 2.0});
+    FewestOptions options;
+    options.resolution = 0.004;
+    const Answer answer =
+        leave(zoe, slot, {-zoe.front() - 0.3, -slot.width() + zoe.width() / 2.0 + 0.05, 0.0}, options);
+    ASSERT_TRUE(answer.parkable());
+    PictureOptions picture;
+    picture.leaving = true;
+    expect_frames(draw_maneuver(zoe, slot, answer, PictureFormat::svg, picture), zoe, *answer.maneuver,
+                  *answer.direction_changes);
+}
+
+TEST(DrawnFrames, AreThoseOfTheWayInFromTheStreet) {
+    const Car zoe = *find_car("renault-zoe");
+    Street slot;
+    slot.length = 5.2;
+    slot.width = 2.0;
+    slot.road = 3.5;
+    Street bay = slot;
+    bay.length = 5.0;
+    bay.width = 2.5;
+    bay.road = 6.0;
+    bay.angle = 1.5707963267948966;
+    bay.side = Side::left;
+    for (const Street& street : {slot, bay}) {
+        const Pose start = standard_start(street, zoe);
+        const ParkAnswer answer = park(zoe, street_place(street), start);
+        ASSERT_TRUE(answer.parkable());
+        expect_frames(draw_park(zoe, street, start, answer, PictureFormat::svg), zoe, *answer.maneuver,
+                      *answer.direction_changes);
+    }
+}
+
+}  // namespace
+}  // namespace snug
