@@ -212,6 +212,7 @@ def test_defaults_are_the_ones_that_help_shows():
         "fewest": (CAR, snug.Slot(5.2, 2.0)), "parked_pose": (CAR, SLOT), "swept": (MANEUVER,), "trajectory": (MANEUVER,),
         "leave": (CAR, snug.Slot(5.2, 2.0), snug.parked_pose(CAR, snug.Slot(5.2, 2.0), front=0.3, curb=0.05)),
         "first_contact": (CAR, SLOT, MOVE.start, "backward", 0.3), "park": (CAR, snug.Street(5.2, 2.0, road=3.5)),
+        "drive_runs": (CAR, snug.Street(5.0, 2.5, angle=math.pi / 2, road=6.0)),
         "min_street": (CAR, snug.Street(5.0, 2.5, angle=math.pi / 2)),
     }
     for name, thing in public():
@@ -220,7 +221,8 @@ def test_defaults_are_the_ones_that_help_shows():
         defaults = {p.name: p.default for p in inspect.signature(thing).parameters.values() if p.default is not p.empty}
         assert bool(defaults) == (name in asked), name
         if defaults:
-            needed = {"min_slot": {"width": 2.0}, "min_slots": {"lengths": [6.0]}}.get(name, {})
+            needed = {"min_slot": {"width": 2.0}, "min_slots": {"lengths": [6.0]},
+                      "drive_runs": {"margin": 0.05, "runs": 3}}.get(name, {})
             got, plain = thing(*asked[name], **{**defaults, **needed}), thing(*asked[name], **needed)
             assert said(got) == said(plain), name
 
