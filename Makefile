@@ -1,5 +1,5 @@
 # A thin front: every target sets itself up, then CMake's presets do the work.
-.PHONY: build python demo test fuzz soak bench package peers pictures docs web web-page web-test format clean setup check-format check-tidy
+.PHONY: build python demo test fuzz soak bench package peers pictures docs web web-page web-test coverage format clean setup check-format check-tidy
 .NOTPARALLEL:
 
 JOBS := $(shell nproc)
@@ -42,10 +42,22 @@ fuzz: setup
 	build/fuzz/fuzz -runs=$(RUNS) -seed=1 -max_len=2000 -len_control=0 -dict=tests/fuzz/words.txt -print_final_stats=1 \
 	    -artifact_prefix=build/fuzz/
 
+# Which lines the tests of the libraries run, with a tenth of their sample: build/coverage/index.html, and a table.
+coverage: setup
+	@setup/install.sh coverage-packages.txt
+	cmake --preset coverage
+	cmake --build --preset coverage --parallel $(JOBS)
+	ctest --preset coverage --parallel $(JOBS)
+	gcovr --root . --object-directory build/coverage --filter '(src|include|baselines|sentences|io|draw|sweep|drive|atlas|cli|paper)/' \
+	    --exclude-throw-branches --html-details build/coverage/index.html --print-summary
+
+# What it measures is kept as CSV, a file for each processor.
+PROCESSOR := $(shell sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1 | tr -cs '[:alnum:]\n' '-')
 bench: setup
 	cmake --preset release
 	cmake --build --preset release --parallel $(JOBS) --target snug_bench
-	build/release/snug_bench
+	@mkdir -p bench/results
+	build/release/snug_bench --benchmark_out=bench/results/$(or $(PROCESSOR),unknown).csv --benchmark_out_format=csv
 
 # Two .deb: library, headers, command, manual and completions; snug-mpi. The manual is made last, by the command itself.
 package: setup
@@ -139,8 +151,9 @@ setup:
 check-format: setup
 	clang-format --dry-run -Werror $(SOURCES)
 
-# Folders in one piece, as the sanitizers have them: most of the work is reading what they include.
-TIDY := 'snug\.dir/Unity|/(src|baselines)/'
+# Folders in one piece, as the sanitizers have them: most of the work is reading what they include. With ALL=1 not the core alone
+# but all that is compiled, tests included (a quarter of an hour).
+TIDY := $(if $(ALL),. -extra-arg=-Wno-shadow,'snug\.dir/Unity|/(src|baselines)/')
 check-tidy: setup
 	cmake --preset tidy
 	run-clang-tidy -quiet -j $(JOBS) -p build/tidy -extra-arg=-Wno-unknown-warning-option $(TIDY)

@@ -24,8 +24,8 @@ constexpr const char* purpose =
 
 constexpr const char* examples =
     "Errors are standard deviations. The car measures its pose every 5 cm on the way\n"
-    "and ten times a second at standstill, keeps to its move by small corrections of\n"
-    "the steering, and plans anew wherever the direction changes.\n\n"
+    "(1 cm beside something) and ten times a second at standstill, keeps to its move\n"
+    "by small corrections of the steering, and plans anew where the direction changes.\n\n"
     "Examples:\n"
     "  snug drive --car renault-zoe --length 5.2 --width 2 --road 3.5 --from 2,1.75,0\n"
     "  snug drive --car renault-zoe --length 5 --width 2.5 --angle 90 --road 6 \\\n"
@@ -43,6 +43,12 @@ struct Asked {
           actuation(options.declared<Point>("--actuation", "M,RAD",
                                             "Of where a move ends, and of its steering angle\n[m, rad] (0.01,0.0175).",
                                             point)),
+          lag(options.number("--lag", "S", "Of the wheels behind what they are told on the way\n[s] (0.1).",
+                             {" s", 0.0, 10.0})),
+          slot_error(options.declared<Point>("--slot-error", "PLACE,SIZE",
+                                             "Of the slot's place and size, seen from the start\n"
+                                             "[m, m] (0,0); they shrink as the car comes near.",
+                                             point)),
           margin(options.group("Plan").number("--margin", "M",
                                               "How much the car is grown for planning [m]; default:\nthe least that "
                                               "parks often enough.",
@@ -67,6 +73,8 @@ struct Asked {
     Option<Pose> sensing;
     Option<Pose> bias;
     Option<Point> actuation;
+    Option<double> lag;
+    Option<Point> slot_error;
     Option<double> margin;
     Option<double> rate;
     Option<double> spacing;
@@ -87,6 +95,11 @@ DriveOptions drive_options(const Asked& asked) {
     if (asked.actuation) {
         options.errors.distance = asked.actuation->x;
         options.errors.steering = asked.actuation->y;
+    }
+    options.errors.lag = asked.lag.value_or(options.errors.lag);
+    if (asked.slot_error) {
+        options.errors.slot_place = asked.slot_error->x;
+        options.errors.slot_size = asked.slot_error->y;
     }
     if (asked.margin) options.margin = *asked.margin;
     options.rate = asked.rate.value_or(options.rate);
@@ -151,6 +164,9 @@ Action parse_drive(const Arguments& arguments) {
     const ParkQuestion question = asked.where.question();
     if (asked.where.driving.clearance)
         throw Error(asked.where.driving.clearance.name() + " is of a plan that nobody disturbs; give --margin instead");
+    if (asked.slot_error && !question.street)
+        throw Error(asked.slot_error.name() + " is of a slot, but " + asked.where.scene.name() +
+                    " gives a place without one; leave out one of them");
     const DriveOptions how = drive_options(asked);
     const Format format = asked.output.format();
     const auto picture = picture_file(asked.draw, asked.output);
@@ -166,7 +182,9 @@ Action parse_drive(const Arguments& arguments) {
         DriveAnswer answer;
         {
             const Interruptible interruptible;
-            answer = drive_runs(question.car, question.scene.place, question.scene.start, asked_of);
+            const Pose& start = question.scene.start;
+            answer = question.street ? drive_runs(question.car, *question.street, start, asked_of)
+                                     : drive_runs(question.car, question.scene.place, start, asked_of);
         }
         if (show) wipe_progress();
         if (timed) write_file("--trajectory", timed->path, written(*timed, question.car, answer.planned));

@@ -63,17 +63,13 @@ double off_parallel(const Slot& slot, const Pose& pose) {
     return std::remainder(slot.to_slot(pose).heading, 2.0 * std::numbers::pi) / degree;
 }
 
-/// What the car is given around it, where a slot is too small for both.
-const char* with_clearance(const EntryQuestion& question) {
-    return question.options.driving.clearance > 0.0 ? " with its clearance" : "";
-}
-
 std::string refusal(const EntryQuestion& question) {
     const EntryOptions& options = question.options;
-    const std::string lacking = words(shortfall(question.car, question.slot, options.driving));
+    const std::string lacking =
+        words(shortfall(question.car, question.slot, options.driving), options.driving.clearance);
     std::string why;
     if (!lacking.empty()) {
-        why = "the slot is " + lacking + " for the car" + with_clearance(question);
+        why = "the slot is " + lacking;
     } else if (options.min_range > 0.0) {
         why = "no range of entry headings at least " + fixed(options.min_range / degree, decimals(options.min_range)) +
               " deg (" + spelled(options.min_range) + " rad) wide\nparks with " +
@@ -284,9 +280,9 @@ std::string proof(const Answer& answer) {
 std::string no_way(const EntryQuestion& question, const char* what, int max_changes, const Answer& answer) {
     const std::string car_and_slot =
         name(question.car) + (answer.proved ? " cannot " : " may ") + what + " " + slot_words(question.slot) + ":\n";
-    const std::string lacking = words(shortfall(question.car, question.slot, question.options.driving));
-    if (!lacking.empty())
-        return car_and_slot + "the slot is " + lacking + " for the car" + with_clearance(question) + ".\n";
+    const Driving& driving = question.options.driving;
+    const std::string lacking = words(shortfall(question.car, question.slot, driving), driving.clearance);
+    if (!lacking.empty()) return car_and_slot + "the slot is " + lacking + ".\n";
     const std::string most = (max_changes == 0 ? "" : "up to ") + changes(max_changes);
     if (answer.proved) return car_and_slot + "no maneuver whatsoever does with " + most + ", which is proved.\n";
     const std::string found = car_and_slot + "no maneuver was found with " + most;

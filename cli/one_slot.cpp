@@ -40,6 +40,7 @@ OneSlot one_slot(const Car& car, double length, double width, const MinSlotOptio
                 fewest(car, length, width, options),
                 limits::usual_changes,
                 shortfall(car, in_question(length, width, options), options.driving),
+                options.driving.clearance,
                 {},
                 {}};
     for (const bool vary_length : {true, false}) {

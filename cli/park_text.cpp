@@ -183,8 +183,9 @@ std::string refusal(const ParkQuestion& question, const ParkAnswer& answer) {
         Driving driving;
         driving.clearance = question.options.clearance;
         driving.curb_clearance = question.street->curb_clearance;
-        const std::string lacking = words(shortfall(question.car, slot_of(*question.street), driving));
-        if (!lacking.empty()) return begins + "the slot is " + lacking + " for the car.\n";
+        const std::string lacking =
+            words(shortfall(question.car, slot_of(*question.street), driving), driving.clearance);
+        if (!lacking.empty()) return begins + "the slot is " + lacking + ".\n";
     }
     if (answer.impossible)
         return begins +
@@ -228,21 +229,24 @@ std::string moves(const ParkQuestion& question, const RollingManeuver& maneuver)
 }  // namespace
 
 std::string park_text(const ParkQuestion& question, const RollingAnswer& answer) {
-    const std::string standing =
-        answer.standing_changes ? changes(*answer.standing_changes) + " would do" : "no way is known either";
     if (!answer.maneuver)
         return name(question.car) + " may park " + into_what(question) +
-               ", but no\nway is known that steers only while it rolls; with steering at standstill\n" + standing +
+               ", but no\nway is known that steers only while it rolls; with steering at standstill\n" +
+               (answer.standing_changes
+                    ? changes(*answer.standing_changes) + (*answer.standing_changes == 1 ? " does" : " do")
+                    : "none is known either") +
                ".\n";
     const RollingManeuver& maneuver = *answer.maneuver;
+    const int more = maneuver.direction_changes() - answer.standing_changes.value_or(maneuver.direction_changes());
+    const std::string standing = more > 0 ? "that is " + std::to_string(more) + " more than with steering at standstill"
+                                          : std::string("steering at standstill would save none that is known");
     Rows rows = {
         {"driven", metres(maneuver.length()) + " in " + fixed(rolling_trajectory(maneuver).seconds(), 0) + " s"}};
     const Pose goal = maneuver.pieces.empty() ? question.scene.start : maneuver.pieces.back().end;
     for (std::vector<std::string>& row : distances(question, goal)) rows.push_back(std::move(row));
     return name(question.car) + " parks " + into_what(question) + "\nwith " + changes(maneuver.direction_changes()) +
-           ", and steers only while it rolls, at " + fixed(answer.creep, 2) + " m/s;\nwith steering at standstill " +
-           standing + ".\n" + where_it_stands(question) + moves(question, maneuver) + "\nHow it ends\n" +
-           table(rows, "ll");
+           ", and steers only while it rolls, at " + fixed(answer.creep, 2) + " m/s;\n" + standing + ".\n" +
+           where_it_stands(question) + moves(question, maneuver) + "\nHow it ends\n" + table(rows, "ll");
 }
 
 std::string park_text(const ParkQuestion& question, const ParkAnswer& answer) {

@@ -15,10 +15,12 @@ std::string changes(int count) {
 
 std::string name(const Car& car) { return car.name().empty() ? "The car" : car.name(); }
 
-std::string words(const Shortfall& lacking) {
+std::string words(const Shortfall& lacking, double clearance) {
     std::string text = lacking.length > 0.0 ? fixed(lacking.length, 3) + " m too short" : "";
     text += lacking.length > 0.0 && lacking.width > 0.0 ? " and " : "";
-    return text + (lacking.width > 0.0 ? fixed(lacking.width, 3) + " m too narrow" : "");
+    text += lacking.width > 0.0 ? fixed(lacking.width, 3) + " m too narrow" : "";
+    if (text.empty()) return text;
+    return text + " for the car" + (clearance > 0.0 ? " with its clearance" : "");
 }
 
 std::string steering(const Car& car, double angle) {

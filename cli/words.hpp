@@ -15,8 +15,8 @@ std::string changes(int count);
 /// The car's name, or "The car".
 std::string name(const Car& car);
 
-/// "0.100 m too short and 0.020 m too narrow"; empty when nothing is lacking.
-std::string words(const Shortfall& lacking);
+/// "0.100 m too short and 0.020 m too narrow for the car with its clearance"; empty when nothing is lacking.
+std::string words(const Shortfall& lacking, double clearance);
 
 /// "full left", "right 12.5 deg", "straight"
 std::string steering(const Car& car, double angle);

@@ -1,6 +1,7 @@
 // Where the car thinks it is: what it measured weighed against what it thinks it drove.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -43,14 +44,17 @@ public:
         p_ = times(times(f, p_), transposed(f));
     }
 
-    /// Came to rest somewhere else along its way.
-    void slip(double deviation) {
-        const double c = std::cos(pose_.heading), s = std::sin(pose_.heading);
-        const double v = deviation * deviation;
-        p_[0][0] += v * c * c;
-        p_[1][1] += v * s * s;
-        p_[0][1] += v * c * s;
-        p_[1][0] += v * c * s;
+    /// Came to rest somewhere else along its way, on which it turned, too.
+    void slip(double deviation, double steered) {
+        const std::array<double, 4> along = {std::cos(pose_.heading), std::sin(pose_.heading), steered + off_, 0.0};
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < 4; ++j) p_[i][j] += deviation * deviation * along[i] * along[j];
+    }
+
+    /// What it stands beside is now seen elsewhere, by about so much.
+    void wander(double deviation) {
+        p_[0][0] += deviation * deviation;
+        p_[1][1] += deviation * deviation;
     }
 
     /// Measured, with that standard deviation of each part.
@@ -64,8 +68,9 @@ private:
     using Matrix = std::array<std::array<double, 4>, 4>;
 
     void weigh(std::size_t part, double difference, double deviation) {
-        const double total = p_[part][part] + deviation * deviation;
-        if (!(total > 0.0)) return;
+        // Not quite certain even where nothing errs: else rounding would decide what is believed.
+        const double least = 1e-4;
+        const double total = std::max(p_[part][part], 0.0) + std::max(deviation * deviation, least * least);
         std::array<double, 4> gain;
         for (std::size_t i = 0; i < 4; ++i) gain[i] = p_[i][part] / total;
         pose_.x += gain[0] * difference;

@@ -14,13 +14,17 @@
 namespace snug {
 namespace {
 
-constexpr double step = 0.05;          ///< between two measurements on the way [m]
-constexpr int most_moves = 300;        ///< a run that takes more is given up
-constexpr int most_looks = 20;         ///< without a way, before the car calls itself stuck
-constexpr int looks_before_a_way = 3;  ///< at standstill, before the next way is chosen
-constexpr int looks_when_parked = 10;  ///< before the car calls itself parked
-constexpr double settling = 0.7;       ///< distance in which deviations from a move die away [m]
-constexpr double look_seconds = 0.1;   ///< what a look at standstill takes [s]
+constexpr double step = 0.05;                 ///< between two measurements on the way [m]
+constexpr int most_moves = 300;               ///< a run that takes more is given up
+constexpr int most_looks = 20;                ///< without a way, before the car calls itself stuck
+constexpr int looks_before_a_way = 10;        ///< at standstill, before the next way is chosen
+constexpr int looks_when_parked = 40;         ///< before the car calls itself parked
+constexpr double creeping = 0.1;              ///< speed beside something [m/s]
+constexpr double near_margins = 2.0;          ///< beside it is nearer than so many margins
+constexpr double least_before_another = 0.2;  ///< that it rolls before it looks for another way [m]
+constexpr double least_astray = 0.025;        ///< and off its way by so much, or the margin [m]
+constexpr double settling = 0.7;              ///< distance in which deviations from a move die away [m]
+constexpr double look_seconds = 0.1;          ///< what a look at standstill takes [s]
 
 /// Normal numbers, the same on every machine whose logarithm is.
 class Normal {
@@ -41,12 +45,24 @@ private:
 
 class Run {
 public:
-    Run(const Assistant& assistant, const Pose& start, const DriveOptions& options, std::uint64_t number)
-        : assistant_(assistant),
+    Run(const Assistant& assistant, Slots* slots, const Pose& start, const DriveOptions& options, std::uint64_t number)
+        : car_(assistant.car()),
+          place_(assistant.place()),
+          assistant_(&assistant),
+          slots_(slots),
           options_(options),
+          errors_(options.errors),
           normal_(options.seed * 0x9E3779B97F4A7C15ULL + number * 0xD1B54A32D192ED03ULL + 1),
           truth_(start),
-          filter_(measured(), options.errors.sensing) {
+          off_{normal_(errors_.slot_place), normal_(errors_.slot_place), normal_(errors_.slot_size),
+               normal_(errors_.slot_size)},
+          filter_(measured(), first_deviation(errors_)) {
+        if (slots_) {
+            slot_ = slot_alone(place_);
+            away_ = away();
+            if (away_ == 0.0) part_ = 0.0;
+            looks_at_the_slot();
+        }
         result_.smallest_distance = distance();
         result_.track.push_back(truth_);
     }
@@ -56,7 +72,7 @@ public:
             blind();
         else
             looking();
-        result_.parked = !result_.contact && stands_parked(assistant_.car(), assistant_.place(), truth_);
+        result_.parked = !result_.contact && stands_parked(car_, place_, truth_);
         return std::move(result_);
     }
 
@@ -65,7 +81,8 @@ private:
         int parked = 0, stuck = 0;
         for (int moves = 0; moves < most_moves && !result_.contact;) {
             stand(looks_before_a_way * look_seconds);
-            const Instruction instruction = assistant_.next(filter_.pose(), last_);
+            looks_at_the_slot();
+            const Instruction instruction = assistant_->next(filter_.pose(), last_);
             if (instruction.what == Instruction::parked) {
                 if (++parked == looks_when_parked / looks_before_a_way + 1) return;
                 continue;
@@ -83,15 +100,14 @@ private:
     }
 
     void blind() {
-        const std::optional<Maneuver> plan = assistant_.plan(filter_.pose());
+        const std::optional<Maneuver> plan = assistant_->plan(filter_.pose());
         if (!plan) return;
         for (const Move& move : plan->moves) {
             if (result_.contact) return;
             begin(move);
-            for (double left = move.length; left > 0.0 && !result_.contact; left -= step)
-                roll(move.direction, move.steering_angle, std::min(left, step));
+            for (double done = 0.0; done < move.length && !result_.contact; done += step)
+                roll(move, done, std::min(move.length - done, step), move.steering_angle, options_.limits.speed);
             come_to_rest(move.direction, move.steering_angle);
-            result_.seconds += rolling_seconds(move.length);
         }
     }
 
@@ -103,19 +119,28 @@ private:
         double steering = move.steering_angle;
         bool clear = true;
         while (clear && progress < move.length && rolled < move.length + 4.0 * step && !result_.contact) {
-            const double ds = std::min(step, std::max(move.length - progress, 1e-3));
+            // Beside something it creeps, and sees as often as at standstill.
+            const bool creeps =
+                nearest_distance(car_, seen_place(), filter_.pose()) < near_margins * assistant_->map().clearance();
+            const double speed = creeps ? std::min(creeping, options_.limits.speed) : options_.limits.speed;
+            const double ds = std::min(creeps ? creeping * look_seconds : step, std::max(move.length - progress, 1e-3));
             clear = !is_near(move.direction, steering, ds);
             if (!clear && rolled > 0.0) break;
-            roll(move.direction, steering, ds);
+            roll(move, progress, ds, steering, speed);
             rolled += ds;
             look();
             const Deviation off = deviation(move, progress + ds);
             progress = progress + ds + off.along;
             steering = corrected(move, off);
+            // Where a corner may be off by the margin another way is better.
+            const double astray = std::abs(off.left) + car_.front() * std::abs(off.heading);
+            if (rolled > least_before_another && astray > std::max(assistant_->map().clearance(), least_astray)) {
+                clear = false;
+                break;
+            }
         }
         come_to_rest(move.direction, steering);
         steering_ = steering;
-        result_.seconds += rolling_seconds(rolled);
         return clear && !result_.contact;
     }
 
@@ -124,44 +149,62 @@ private:
         if (last_ && *last_ != move.direction) ++result_.direction_changes;
         last_ = move.direction;
         stand(std::abs(move.steering_angle - steering_) / options_.limits.steering_rate);
-        steering_ = move.steering_angle;
-        offset_ = normal_(options_.errors.steering);
+        if (errors_.lag > 0.0) stand(4.0 * errors_.lag);  // until they are there
+        steering_ = wheels_ = move.steering_angle;
+        offset_ = normal_(errors_.steering);
         const double c = std::cos(move.steering_angle);
-        filter_.forget_curvature(options_.errors.steering / (assistant_.car().wheelbase() * c * c));
+        filter_.forget_curvature(errors_.steering / (car_.wheelbase() * c * c));
     }
 
-    /// The wheels truly roll, and the car thinks they roll as it told them.
-    void roll(Direction direction, double steering, double ds) {
-        truth_ = drive(assistant_.car(), truth_, direction, steering + offset_, ds);
-        const double sign = static_cast<double>(static_cast<int>(direction));
-        filter_.roll(sign * ds, std::tan(steering) / assistant_.car().wheelbase());
-        result_.track.push_back(truth_);
-        const double room = distance();
-        result_.smallest_distance = std::min(result_.smallest_distance, room);
-        result_.contact = result_.contact || room < 0.0;
+    /// The wheels truly roll, and the car thinks they roll as it told them. They follow what is told as a lag of the first order does.
+    void roll(const Move& move, double done, double ds, double steering, double speed) {
+        const MotionLimits& limits = options_.limits;
+        const double middle = done + ds / 2.0, left = std::max(move.length - middle, ds / 2.0);
+        const double seconds = ds / std::min({speed, std::sqrt(2.0 * limits.acceleration * middle),
+                                              std::sqrt(2.0 * limits.deceleration * left)});
+        result_.seconds += seconds;
+        double angle = steering;
+        if (errors_.lag > 0.0) {
+            const double kept = std::exp(-seconds / errors_.lag);
+            angle += (wheels_ - steering) * (1.0 - kept) * errors_.lag / seconds;
+            wheels_ = steering + (wheels_ - steering) * kept;
+        }
+        truth_ = drive(car_, truth_, move.direction, angle + offset_, ds);
+        const double sign = static_cast<double>(static_cast<int>(move.direction));
+        filter_.roll(sign * ds, std::tan(steering) / car_.wheelbase());
+        arrived();
     }
 
     /// It does not stop quite where it means to.
     void come_to_rest(Direction direction, double steering) {
         if (result_.contact) return;
-        const double beyond = normal_(options_.errors.distance);
+        const double beyond = normal_(errors_.distance);
         const Direction way = beyond >= 0.0                     ? direction
                               : direction == Direction::forward ? Direction::backward
                                                                 : Direction::forward;
-        truth_ = drive(assistant_.car(), truth_, way, steering + offset_, std::abs(beyond));
-        filter_.slip(options_.errors.distance);
+        truth_ = drive(car_, truth_, way, steering + offset_, std::abs(beyond));
+        filter_.slip(errors_.distance, std::tan(steering) / car_.wheelbase());
+        arrived();
+    }
+
+    void arrived() {
         result_.track.push_back(truth_);
         const double room = distance();
         result_.smallest_distance = std::min(result_.smallest_distance, room);
-        result_.contact = room < 0.0;
+        result_.contact = result_.contact || room < 0.0;
+        if (!slots_ || part_ == 0.0) return;
+        const double part = std::min(part_, away() / away_);
+        filter_.wander(errors_.slot_place * std::sqrt(part_ * part_ - part * part));
+        part_ = part;
+        seen_.reset();
     }
 
     /// Would the car, where it thinks it is, come nearer to something than a third of the margin?
-    bool is_near(Direction direction, double steering, double ds) const {
-        const Pose next = drive(assistant_.car(), filter_.pose(), direction, steering, ds);
-        const double room = nearest_distance(assistant_.car(), assistant_.place(), next);
-        return room < assistant_.map().clearance() / 3.0 &&
-               room < nearest_distance(assistant_.car(), assistant_.place(), filter_.pose());
+    bool is_near(Direction direction, double steering, double ds) {
+        const Pose next = drive(car_, filter_.pose(), direction, steering, ds);
+        const double room = nearest_distance(car_, seen_place(), next);
+        return room < assistant_->map().clearance() / 3.0 &&
+               room < nearest_distance(car_, seen_place(), filter_.pose());
     }
 
     struct Deviation {
@@ -170,8 +213,7 @@ private:
         double heading;  ///< [rad]
     };
     Deviation deviation(const Move& move, double progress) const {
-        const Pose planned =
-            drive(assistant_.car(), move.start, move.direction, move.steering_angle, std::max(0.0, progress));
+        const Pose planned = drive(car_, move.start, move.direction, move.steering_angle, std::max(0.0, progress));
         const Pose& at = filter_.pose();
         const double c = std::cos(planned.heading), s = std::sin(planned.heading);
         const double dx = at.x - planned.x, dy = at.y - planned.y;
@@ -182,44 +224,73 @@ private:
     /// Deviations die away like the critically damped spring of that length: left'' = -left / l^2 - 2 left' / l.
     double corrected(const Move& move, const Deviation& off) const {
         const double sign = static_cast<double>(static_cast<int>(move.direction));
-        const double wheelbase = assistant_.car().wheelbase();
-        const double curvature = std::tan(move.steering_angle) / wheelbase - filter_.curvature() -
+        const double curvature = std::tan(move.steering_angle) / car_.wheelbase() - filter_.curvature() -
                                  off.left / (settling * settling) - 2.0 * sign * off.heading / settling;
-        const double most = assistant_.car().max_steer();
-        return std::clamp(std::atan(curvature * wheelbase), -most, most);
+        return std::clamp(std::atan(curvature * car_.wheelbase()), -car_.max_steer(), car_.max_steer());
     }
 
+    /// In the frame of the slot, whose place is off by less and less.
     Pose measured() {
-        const CarErrors& errors = options_.errors;
         Pose pose = truth_;
-        pose.x += errors.bias.x + normal_(errors.sensing.x);
-        pose.y += errors.bias.y + normal_(errors.sensing.y);
-        pose.heading += errors.bias.heading + normal_(errors.sensing.heading);
+        pose.x += errors_.bias.x + part_ * off_.x + normal_(errors_.sensing.x);
+        pose.y += errors_.bias.y + part_ * off_.y + normal_(errors_.sensing.y);
+        pose.heading += errors_.bias.heading + normal_(errors_.sensing.heading);
         return pose;
     }
-    /// Measures all the while, unless it is blind.
+    static Pose first_deviation(const CarErrors& errors) {
+        Pose deviation = errors.sensing;
+        deviation.x = std::hypot(deviation.x, errors.slot_place);
+        deviation.y = std::hypot(deviation.y, errors.slot_place);
+        return deviation;
+    }
+    /// Stands for some time. It measures all the while, unless it is blind.
     void stand(double seconds) {
         result_.seconds += seconds;
         if (options_.blind) return;
         for (double time = 0.0; time < seconds; time += look_seconds) look();
     }
-    void look() { filter_.see(measured(), options_.errors.sensing); }
+    void look() { filter_.see(measured(), errors_.sensing); }
 
-    [[nodiscard]] double distance() const { return nearest_distance(assistant_.car(), assistant_.place(), truth_); }
-    [[nodiscard]] double rolling_seconds(double length) const {
-        if (length <= 0.0) return 0.0;
-        Move move;
-        move.direction = Direction::forward;
-        move.length = length;
-        return trajectory({assistant_.car(), {move}}, options_.limits).seconds();
+    /// Plans from now on for the slot as long and wide as it now seems; where the car would not fit, as it seemed before.
+    void looks_at_the_slot() {
+        if (!slots_) return;
+        if (const Assistant* assistant = slots_->seen(part_ * off_.longer, part_ * off_.wider)) assistant_ = assistant;
+    }
+    /// As it now seems to be.
+    const Place& seen_place() {
+        if (!slots_) return place_;
+        if (!seen_) seen_ = street_place(slots_->seeming(part_ * off_.longer, part_ * off_.wider));
+        return *seen_;
+    }
+    /// From the car to the slot. [m]
+    [[nodiscard]] double away() const { return std::max(0.0, nearest_distance(car_, *slot_, truth_)); }
+    /// As if it were in the way.
+    static Place slot_alone(const Place& place) {
+        const PlaceObstacle slot = {std::get<ParkedInside>(place.parked()).corners};
+        return Place({{slot}, place.parked(), place.region()});
     }
 
-    const Assistant& assistant_;
+    [[nodiscard]] double distance() const { return nearest_distance(car_, place_, truth_); }
+
+    const Car& car_;
+    const Place& place_;  ///< as it is
+    const Assistant* assistant_;
+    Slots* slots_;  ///< none where the slot is seen as it is
     const DriveOptions& options_;
+    const CarErrors& errors_;
     Normal normal_;
     Pose truth_;
+    struct Off {
+        double x, y, longer, wider;
+    };
+    Off off_;            ///< what the slot is off by, seen from the start [m]
+    double part_ = 1.0;  ///< of that, by how near the car has been to it
+    double away_ = 1.0;  ///< at the start [m]
+    std::optional<Place> slot_;
+    std::optional<Place> seen_;
     PoseFilter filter_;
     double steering_ = 0.0;
+    double wheels_ = 0.0;
     double offset_ = 0.0;
     std::optional<Direction> last_;
     DriveRun result_;
@@ -227,8 +298,9 @@ private:
 
 }  // namespace
 
-DriveRun drive_run(const Assistant& assistant, const Pose& start, const DriveOptions& options, std::uint64_t number) {
-    return Run(assistant, start, options, number).driven();
+DriveRun drive_run(const Assistant& assistant, Slots* slots, const Pose& start, const DriveOptions& options,
+                   std::uint64_t number) {
+    return Run(assistant, slots, start, options, number).driven();
 }
 
 double nearest_distance(const Car& car, const Place& place, const Pose& pose) {

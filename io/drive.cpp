@@ -14,6 +14,8 @@ void add_answer(Json& json, const Pose& start, const DriveOptions& options, cons
     json["sensing"] = list_of(options.errors.sensing);
     json["bias"] = list_of(options.errors.bias);
     json["actuation"] = Json::array({options.errors.distance, options.errors.steering});
+    json["lag"] = options.errors.lag;
+    json["slot_error"] = Json::array({options.errors.slot_place, options.errors.slot_size});
     json["rate"] = options.rate;
     json["runs"] = answer.runs.size();
     json["seed"] = options.seed;

@@ -8,8 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "all_maneuvers/way_lists.hpp"
+#include "contact/few.hpp"
+#include "contact/place_contact.hpp"
+#include "model/angles.hpp"
 #include "sentences/check.hpp"
-#include "snug/contact.hpp"
 #include "snug/limits.hpp"
 
 namespace snug {
@@ -85,23 +88,29 @@ AssistantOptions of_street(const Street& street, AssistantOptions options) {
     return options;
 }
 
-double nearest(const Car& car, const Place& place, const Pose& pose) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const PlaceGap& gap : gaps(car, place, pose)) least = std::min(least, gap.distance);
-    return least;
-}
-
-/// The moves until the direction changes.
-std::vector<Move> first_way(const std::vector<Move>& moves) {
-    const auto turn = std::find_if(moves.begin(), moves.end(),
-                                   [&](const Move& move) { return move.direction != moves.front().direction; });
-    return {moves.begin(), turn};
-}
-
 }  // namespace
 
+struct AssistantMemory::Lists {
+    detail::WayLists way;
+    std::vector<double> here, before, now;  ///< gaps to each obstacle
+    Instruction told;
+};
+
+AssistantMemory::AssistantMemory(const Assistant& assistant) : lists_(std::make_unique<Lists>()) {
+    // As long as a way through a large map gets: a node every few centimetres, with three arcs at most.
+    constexpr std::size_t most_pieces = 8192;
+    lists_->way.steps.reserve(most_pieces);
+    lists_->way.few.reserve(most_pieces);
+    lists_->told.moves.reserve(most_pieces);
+    for (std::vector<double>* gaps : {&lists_->here, &lists_->before, &lists_->now})
+        gaps->reserve(assistant.place().obstacles().size());
+}
+AssistantMemory::AssistantMemory(AssistantMemory&&) noexcept = default;
+AssistantMemory& AssistantMemory::operator=(AssistantMemory&&) noexcept = default;
+AssistantMemory::~AssistantMemory() = default;
+
 Assistant::Assistant(const Car& car, const Place& place, const AssistantOptions& options)
-    : car_(car), place_(place), map_(planned_map(car, place, options)) {}
+    : Assistant(car, place, planned_map(car, place, options), options) {}
 
 Assistant::Assistant(const Car& car, const Street& street, const AssistantOptions& options)
     : Assistant(car, street_place(street), of_street(street, options)) {}
@@ -110,52 +119,156 @@ Assistant::Assistant(const Car& car, const Place& place, ParkMap map, const Assi
     : car_(car), place_(place), map_(std::move(map)) {
     check(car, options);
     map_.expect(planned_car(car, options.steering_reserve), planned_place(place, options.margin / 2.0), options.margin);
+    for (const Place::Piece& piece : place_.pieces()) {
+        const double keeps = piece.low ? 0.0 : place_.obstacles()[piece.obstacle].clearance.value_or(0.0);
+        const Outline shape = piece.low ? car_.wheels() : car_.outline().grown(keeps);
+        around_.push_back({shape.corners(), piece.corners, piece.obstacle});
+    }
+}
+
+/// From one of those, negative in it.
+double Assistant::gap(const Around& around, const Pose& pose) {
+    const auto [s, c] = angles::sine_cosine(pose.heading);
+    // About the car's own place, where numbers stay small even if the place lies far out in the world.
+    detail::Few<Point, 64> shape, solid;
+    for (const Point& p : around.shape) shape.push_back({p.x * c - p.y * s, p.x * s + p.y * c});
+    for (const Point& p : around.solid) solid.push_back({p.x - pose.x, p.y - pose.y});
+    return detail::distance(shape.data(), shape.size(), solid.data(), solid.size());
+}
+
+void Assistant::gaps_at(const Pose& pose, std::vector<double>& gaps) const {
+    gaps.assign(place_.obstacles().size(), std::numeric_limits<double>::infinity());
+    for (const Around& around : around_) gaps[around.obstacle] = std::min(gaps[around.obstacle], gap(around, pose));
+}
+
+double Assistant::nearest(const Pose& pose) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Around& around : around_) least = std::min(least, gap(around, pose));
+    return least;
 }
 
 std::optional<Maneuver> Assistant::plan(const Pose& measured) const { return map_.maneuver(measured); }
 
-Instruction Assistant::next(const Pose& measured, std::optional<Direction> driven) const {
-    if (std::abs(measured.heading) > limits::farthest) return {};  // no heading
-    const MapBounds bounds = map_.at(measured);
-    if (bounds.where == MapBounds::outside) return {};
-    if (bounds.where == MapBounds::free && bounds.direction_changes == 0 && !bounds.first)
-        return {Instruction::parked, {}, 0};
-    const std::optional<Maneuver> way = map_.maneuver(measured);
-    if (!way) return short_way(measured, driven, std::numeric_limits<int>::max());
-    const int changes = way->direction_changes() + (driven && *driven != way->moves.front().direction ? 1 : 0);
-    if (driven && changes > 0) {
-        Instruction farther = short_way(measured, driven, changes - 1);
-        if (farther.what != Instruction::stuck) return farther;
-    }
-    return {Instruction::move, first_way(way->moves), changes};
+/// On average over where the car may truly come to rest.
+double Assistant::expected_changes(const Pose& end, Direction driven) const {
+    constexpr double along = 0.02, across = 0.012, turned = 0.006;
+    constexpr double unknown = 4.0;
+    const double s = angles::sin(end.heading), c = angles::cos(end.heading);
+    const auto changes_at = [&](double x, double y, double heading) {
+        const MapBounds bounds = map_.at({end.x + x * c - y * s, end.y + x * s + y * c, end.heading + heading});
+        if (!bounds.direction_changes) return unknown;
+        return *bounds.direction_changes + (bounds.first && *bounds.first != driven ? 1.0 : 0.0);
+    };
+    double sum = 2.0 * changes_at(0.0, 0.0, 0.0);
+    for (const double way : {1.0, -1.0})
+        sum +=
+            changes_at(way * along, 0.0, 0.0) + changes_at(0.0, way * across, 0.0) + changes_at(0.0, 0.0, way * turned);
+    return sum / 8.0;
 }
 
-Instruction Assistant::way_out(const Pose& measured) const {
+/// Ends an arc where coming to rest a little off does the least harm.
+void Assistant::settle(Move& last) const {
+    const Move meant = last;
+    constexpr double step = 0.01, farthest = 0.3;  // [m]
+    constexpr double worth_a_metre = 0.2;          // of direction changes
+    double least = expected_changes(meant.end, meant.direction);
+    for (const double way : {-1.0, 1.0}) {
+        for (int i = 1; i * step <= farthest; ++i) {
+            Move other = meant;
+            other.length = meant.length + way * i * step;
+            if (!(other.length > 0.0)) break;
+            other.end = drive(car_, meant.start, meant.direction, meant.steering_angle, other.length);
+            if (way > 0.0 && map_.at(other.end).where != MapBounds::free) break;
+            const double cost = expected_changes(other.end, other.direction) + worth_a_metre * i * step;
+            if (cost >= least) continue;
+            if (way > 0.0 && !map_.goes_free(meant.start, meant.direction, meant.steering_angle, other.length)) break;
+            least = cost;
+            last = other;
+        }
+    }
+}
+
+Instruction Assistant::next(const Pose& measured, std::optional<Direction> driven) const {
+    Lists lists;
+    answer(measured, driven, lists);
+    return std::move(lists.told);
+}
+
+const Instruction& Assistant::next(const Pose& measured, std::optional<Direction> driven,
+                                   AssistantMemory& memory) const {
+    answer(measured, driven, *memory.lists_);
+    return memory.lists_->told;
+}
+
+void Assistant::answer(const Pose& measured, std::optional<Direction> driven, Lists& lists) const {
+    Instruction& told = lists.told;
+    told.what = Instruction::stuck;
+    told.moves.clear();
+    told.direction_changes = 0;
+    const auto tell = [&](const Arc& arc) {
+        told.what = arc.what;
+        told.direction_changes = arc.changes;
+        told.moves.clear();
+        if (arc.what != Instruction::stuck) told.moves.push_back(arc.move);
+    };
+    if (std::abs(measured.heading) > limits::farthest) return;  // no heading
+    const MapBounds bounds = map_.at(measured);
+    if (bounds.where == MapBounds::outside) return;
+    if (bounds.where == MapBounds::free && bounds.direction_changes == 0 && !bounds.first) {
+        told.what = Instruction::parked;
+        return;
+    }
+    std::vector<Move>& moves = told.moves;
+    map_.moves(measured, lists.way, moves);
+    if (moves.empty()) {
+        tell(short_way(measured, driven, std::numeric_limits<int>::max(), lists));
+        return;
+    }
+    int changes = driven && *driven != moves.front().direction ? 1 : 0;
+    std::size_t first = moves.size();  // of one direction
+    for (std::size_t i = moves.size(); i-- > 1;) {
+        if (moves[i].direction == moves[i - 1].direction) continue;
+        ++changes;
+        first = i;
+    }
+    moves.resize(first);
+    told.what = Instruction::move;
+    told.direction_changes = changes;
+    if (driven && changes > 0) {
+        const Arc farther = short_way(measured, driven, changes - 1, lists);
+        if (farther.what != Instruction::stuck) tell(farther);
+    }
+    settle(moves.back());
+}
+
+Assistant::Arc Assistant::way_out(const Pose& measured, Lists& lists) const {
     constexpr double step = 0.02, farthest = 1.0;  // [m]
     constexpr double grown = 1e-9;
-    const std::vector<PlaceGap> here = gaps(car_, place_, measured);
-    Instruction best;
-    double least = -nearest(car_, place_, measured), shortest = farthest;
+    std::vector<double>& before = lists.before;
+    std::vector<double>& now = lists.now;
+    gaps_at(measured, lists.here);
+    Arc best;
+    double least = -nearest(measured), shortest = farthest;
     for (const Direction direction : {Direction::backward, Direction::forward}) {
         for (const double part : {0.0, -1.0, 1.0, -0.5, 0.5, -0.2, 0.2}) {
             const double steering = part * car_.max_steer();
-            std::vector<PlaceGap> before = here;
+            before = lists.here;
             for (int i = 1; i * step <= farthest; ++i) {
                 const double length = i * step;
                 const Pose there = drive(car_, measured, direction, steering, length);
-                std::vector<PlaceGap> now = gaps(car_, place_, there);
+                gaps_at(there, now);
                 double left = 0.0;
                 bool grows = false;
                 for (std::size_t k = 0; k < now.size(); ++k) {
-                    grows = grows || now[k].distance < std::min(0.0, before[k].distance) - grown;
-                    left = std::max(left, -now[k].distance);
+                    grows = grows || now[k] < std::min(0.0, before[k]) - grown;
+                    left = std::max(left, -now[k]);
                 }
                 if (grows) break;
-                before = std::move(now);
+                std::swap(before, now);
                 if (left > least - grown && !(left == 0.0 && least == 0.0 && length < shortest)) continue;
                 least = left;
                 shortest = length;
-                best = {Instruction::overlap, {{direction, steering, length, measured, there, {}}}, 0};
+                best = {Instruction::overlap, {direction, steering, length, measured, there, {}}, 0};
                 if (left == 0.0) break;
             }
         }
@@ -163,15 +276,16 @@ Instruction Assistant::way_out(const Pose& measured) const {
     return best;
 }
 
-Instruction Assistant::short_way(const Pose& measured, std::optional<Direction> driven, int most_changes) const {
+Assistant::Arc Assistant::short_way(const Pose& measured, std::optional<Direction> driven, int most_changes,
+                                    Lists& lists) const {
     constexpr double step = 0.02;  // [m]
     // A car that has a way gains little beyond a metre; one beside a wall has to creep off it.
     const double farthest = most_changes == std::numeric_limits<int>::max() ? 2.5 : 1.0;  // [m]
     constexpr double least_gain = 0.01;  // of an arc that only leads away: else two of them could lead to and fro [m]
-    const double room = nearest(car_, place_, measured);
-    if (!(room >= -limits::touching)) return way_out(measured);
+    const double room = nearest(measured);
+    if (!(room >= -limits::touching)) return way_out(measured, lists);
     const double kept = std::min(room, map_.clearance()) / 2.0 - limits::touching;
-    Instruction best, away;
+    Arc best, away;
     double best_cost = std::numeric_limits<double>::infinity();
     double most_room = room + least_gain;
     for (const Direction direction : {Direction::backward, Direction::forward}) {
@@ -180,11 +294,11 @@ Instruction Assistant::short_way(const Pose& measured, std::optional<Direction> 
             const double steering = part * map_.car().max_steer();
             for (double length = step; length <= farthest; length += step) {
                 const Pose there = drive(car_, measured, direction, steering, length);
-                const double left = nearest(car_, place_, there);
+                const double left = nearest(there);
                 if (left < kept) break;
                 if (left > most_room && room < map_.clearance() && map_.at(there).where != MapBounds::outside) {
                     most_room = left;
-                    away = {Instruction::escape, {{direction, steering, length, measured, there, {}}}, 0};
+                    away = {Instruction::escape, {direction, steering, length, measured, there, {}}, 0};
                 }
                 const MapBounds bounds = map_.at(there);
                 if (bounds.where != MapBounds::free || !bounds.direction_changes) continue;
@@ -194,7 +308,7 @@ Instruction Assistant::short_way(const Pose& measured, std::optional<Direction> 
                 if (changes > most_changes || cost >= best_cost) continue;
                 best_cost = cost;
                 best = {room < map_.clearance() ? Instruction::escape : Instruction::move,
-                        {{direction, steering, length, measured, there, {}}},
+                        {direction, steering, length, measured, there, {}},
                         changes};
             }
         }

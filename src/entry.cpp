@@ -17,8 +17,7 @@ namespace {
 using namespace detail;
 
 constexpr std::size_t most_proof_moves = 100'000;  ///< driven for a proof: some 0.1 s at most
-constexpr double most_undecided = 1e-9;  ///< as wide may be in all what is undecided of an answer that is proved [rad]
-constexpr double inward = 2e-13;         ///< edges are moved this far into their range, beyond any rounding [rad]
+constexpr double inward = 2e-13;  ///< edges are moved this far into their range, beyond any rounding [rad]
 
 /// The smallest count for which some stretch of headings is wide enough; empty if there is none.
 std::optional<int> fewest_changes(const std::vector<CountedHeadings>& ranges, double width) {

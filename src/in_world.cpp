@@ -8,6 +8,12 @@ namespace snug::detail {
 
 Maneuver in_world(const Car& car, const Pose& start, const std::vector<Path>& way) {
     Maneuver maneuver{car, {}};
+    in_world(car, start, way, maneuver.moves);
+    return maneuver;
+}
+
+void in_world(const Car& car, const Pose& start, const std::vector<Path>& way, std::vector<Move>& moves) {
+    moves.clear();
     Pose at = start;
     for (const Path& piece : way) {
         Move move;
@@ -19,9 +25,8 @@ Maneuver in_world(const Car& car, const Pose& start, const std::vector<Path>& wa
         move.length = piece.length;
         move.start = at;
         move.end = at = drive(car, at, move.direction, move.steering_angle, move.length);
-        maneuver.moves.push_back(move);
+        moves.push_back(move);
     }
-    return maneuver;
 }
 
 }  // namespace snug::detail

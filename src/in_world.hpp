@@ -11,4 +11,7 @@ namespace snug::detail {
 /// A way in the chart, driven from where the car stands.
 Maneuver in_world(const Car& car, const Pose& start, const std::vector<Path>& way);
 
+/// Its moves, into a list whose memory is used again.
+void in_world(const Car& car, const Pose& start, const std::vector<Path>& way, std::vector<Move>& moves);
+
 }  // namespace snug::detail

@@ -11,6 +11,7 @@
 #include "all_maneuvers/few_pieces.hpp"
 #include "all_maneuvers/map_sets.hpp"
 #include "all_maneuvers/route.hpp"
+#include "all_maneuvers/way_lists.hpp"
 #include "contact/place_contact.hpp"
 #include "in_world.hpp"
 #include "model/angles.hpp"
@@ -117,12 +118,12 @@ ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& optio
         throw Error(
             "the street's heading and the parked one are more than 150 degrees apart; name the nearer of the two "
             "directions of the street");
-    constexpr double most_cells = 4e6;
+    constexpr double most_map_cells = 4e6;
     const double cells = (here.x_max - here.x_min) * 2.0 * here.radius / (asked.spacing * asked.spacing);
-    if (cells > most_cells)
+    if (cells > most_map_cells)
         throw Error("the region is " + spelled(std::round(here.x_max - here.x_min)) + " m long: at a spacing of " +
                     spelled(asked.spacing) + " m its map would take " + spelled(std::round(cells / 1e5) / 10.0) +
-                    " million cells, but at most " + spelled(most_cells / 1e6) +
+                    " million cells, but at most " + spelled(most_map_cells / 1e6) +
                     " million are supported; name a smaller region, or a coarser spacing");
     const double reach = std::max(std::abs(here.y_min), std::abs(here.y_max));
     if (reach > farthest_y || here.radius > 40.0)
@@ -168,17 +169,37 @@ MapBounds ParkMap::at(const Pose& pose) const {
 }
 
 std::optional<Maneuver> ParkMap::maneuver(const Pose& pose) const {
+    detail::WayLists lists;
+    std::vector<Move> way;
+    moves(pose, lists, way);
+    if (way.empty()) return std::nullopt;
+    return Maneuver{swept_->car, std::move(way)};
+}
+
+void ParkMap::moves(const Pose& pose, detail::WayLists& lists, std::vector<Move>& moves) const {
+    moves.clear();
     const Swept& map = *swept_;
     const MapBounds bounds = at(pose);
-    if (!bounds.first) return std::nullopt;
+    if (!bounds.first) return;
     const Pose here = map.in_chart(pose);
     const std::optional<Joining> joining = map.inner.joining(here);
-    if (!joining) return std::nullopt;
-    const std::vector<detail::Path> way = with_few_pieces(map.here, map.inner.way(here, *joining));
-    if (way.empty() || !is_parked(map.here, way.back().at(way.back().length))) return std::nullopt;
+    if (!joining) return;
+    map.inner.way(here, *joining, lists.steps);
+    with_few_pieces(map.here, lists.steps, lists.few);
+    const std::vector<detail::Path>& way = lists.few;
+    if (way.empty() || !is_parked(map.here, way.back().at(way.back().length))) return;
     for (const detail::Path& piece : way)
-        if (!is_free(map.here, piece)) return std::nullopt;
-    return detail::in_world(map.car, pose, way);
+        if (!is_free(map.here, piece)) return;
+    detail::in_world(map.car, pose, way, moves);
+}
+
+bool ParkMap::goes_free(const Pose& pose, Direction direction, double steering_angle, double length) const {
+    const Swept& map = *swept_;
+    const Pose here = map.in_chart(pose);
+    const double curvature =
+        steering_angle == 0.0 ? 0.0 : angles::sin(steering_angle) / angles::cos(steering_angle) / map.car.wheelbase();
+    return is_clear(map.here, here) &&
+           is_free(map.here, detail::Path{here, curvature, direction == Direction::forward ? 1.0 : -1.0, length});
 }
 
 const Car& ParkMap::car() const { return swept_->car; }

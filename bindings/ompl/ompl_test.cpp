@@ -98,14 +98,16 @@ TEST(Ompl, RefusesPosesTheOracleFindsOverlapping) {
     const int count = sample(20000, 1000000);
     for (const Asked& asked : cases(3, count / 100)) {
         const ob::SpaceInformationPtr space = space_around(asked.car, asked.slot, 0.0);
-        const auto problem = oracle::make_problem<double>(asked.chosen.car, asked.slot.length(), asked.slot.width());
+        oracle::Case bare = asked.chosen;
+        bare.driving = {};
+        const auto problem = oracle::make_problem<double>(bare);
         ob::State* state = space->allocState();
         for (int i = 0; i < 100; ++i) {
             const Pose in_slot = {random.between(-1.5 * asked.slot.length(), 5.0),
                                   random.between(-asked.slot.width(), 2.0), random.between(-3.2, 3.2)};
             const Pose pose = asked.slot.to_world(in_slot);
             set_pose(state, pose);
-            const double depth = oracle::depth(problem.grown, oracle::into_slot(asked.chosen.slot, pose), problem.gap);
+            const double depth = oracle::depth(problem, oracle::into_slot(asked.chosen.slot, pose));
             if (std::abs(depth) < 1e-9) continue;
             refused += depth > 0.0 ? 1 : 0;
             EXPECT_EQ(space->isValid(state), depth < 0.0)
@@ -131,18 +133,16 @@ TEST(Ompl, SamplesEntryPositionsThatPark) {
         if (!answer.parkable()) continue;
         const ob::SpaceInformationPtr space = space_around(asked.car, asked.slot);
         const EntryPositions goal(space, asked.car, asked.slot, answer.ranges, driven);
-        const auto problem = oracle::make_problem<double>(asked.chosen.car, asked.slot.length(), asked.slot.width(),
-                                                          driven.driving.clearance, driven.driving.enter);
+        const auto problem = oracle::make_problem<double>(asked.chosen);
+        const bool backward = driven.driving.enter == Enter::backward;
         ob::State* state = space->allocState();
         for (int i = 0; i < 20; ++i) {
             goal.sampleGoal(state);
             EXPECT_TRUE(space->isValid(state));
             EXPECT_TRUE(goal.isSatisfied(state)) << goal.distanceGoal(state);
-            const auto corners =
-                oracle::corners_at(problem.grown, oracle::into_slot(asked.chosen.slot, pose_of(state)));
-            const auto corner = corners[driven.driving.enter == Enter::backward ? 3 : 2];
-            const double x = driven.driving.enter == Enter::backward ? 0.0 : -asked.slot.length();
-            EXPECT_LT(std::hypot(corner.x - x, corner.y), 1e-9);
+            const oracle::Standing<double> standing(oracle::into_slot(asked.chosen.slot, pose_of(state)));
+            const auto touched = backward ? problem.front_corner() : problem.rear_corner();
+            EXPECT_LT(oracle::length(standing.at(oracle::touching_corner(problem)) - touched), 1e-9);
             EXPECT_LE(goal.maneuver(state).direction_changes(), 12);
             Pose off = pose_of(state);
             off.y += 0.01;

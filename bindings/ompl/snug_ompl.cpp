@@ -20,7 +20,7 @@ double wrapped(double heading) { return std::remainder(heading, 2.0 * std::numbe
 /// Does the frame (in the slot frame) sink deeper than the tolerance into the neighbour that begins at x, y = 0 and goes on
 /// down and to the side (1 for the one in front, -1 behind)? Both are convex, so if not, a line parts them, along a side of
 /// one of the two.
-bool sinks_into(const std::array<Point, 4>& frame, double x, double side, double tolerance) {
+bool sinks_into(const std::vector<Point>& frame, double x, double side, double tolerance) {
     const auto all = [&](auto is) { return std::all_of(frame.begin(), frame.end(), is); };
     if (all([&](const Point& p) { return side * (p.x - x) <= tolerance; })) return false;
     if (all([&](const Point& p) { return p.y >= -tolerance; })) return false;

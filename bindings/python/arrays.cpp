@@ -263,7 +263,7 @@ py::object waypoints_of(const Arguments& given) {
 }
 
 py::object trajectory_of(const Arguments& given) {
-    const auto maneuver = given.get<Maneuver>("maneuver");
+    const auto maneuver = given.get<py::object>("maneuver");
     double period = 0.05;
     double steering_angle = 0.0;
     MotionLimits limits;
@@ -274,7 +274,13 @@ py::object trajectory_of(const Arguments& given) {
     given.read("steering_rate", limits.steering_rate);
     given.read("steering_angle", steering_angle);
     std::vector<TrajectoryFields> all;
-    for (const TrajectoryPoint& at : sampled(trajectory(maneuver, limits, steering_angle), period))
+    const bool rolls = py::isinstance<RollingManeuver>(maneuver);
+    if (rolls && steering_angle != 0.0)
+        throw Error("steering_angle is " + few_digits(steering_angle) +
+                    ", but the wheels of a RollingManeuver stand straight at the start");
+    const Trajectory timed = rolls ? rolling_trajectory(maneuver.cast<RollingManeuver>(), limits)
+                                   : trajectory(given.get<Maneuver>("maneuver"), limits, steering_angle);
+    for (const TrajectoryPoint& at : sampled(timed, period))
         all.push_back({at.time, at.pose.x, at.pose.y, at.pose.heading, static_cast<std::int64_t>(at.direction),
                        at.speed, at.acceleration, at.steering_angle, at.steering_rate, at.curvature, at.distance});
     return shaped(all, {static_cast<py::ssize_t>(all.size())});
@@ -297,9 +303,11 @@ void define_arrays(py::module_& module) {
         waypoints_of);
     define(
         module,
-        "trajectory(maneuver: Maneuver, *, period: float = 0.05, speed: float = 1.0, acceleration: float = 0.5, "
+        "trajectory(maneuver: Maneuver | RollingManeuver, *, period: float = 0.05, speed: float = 1.0, acceleration: "
+        "float = 0.5, "
         "deceleration: float = 0.5, steering_rate: float = 0.5, steering_angle: float = 0.0) -> NDArray[np.void]",
-        "A maneuver over time, as fast as the limits allow [m/s, m/s2, rad/s], the steering turning at standstill\n"
+        "A maneuver over time, as fast as the limits allow [m/s, m/s2, rad/s], the steering of a Maneuver turning at "
+        "standstill\n"
         "only: a structured array with time [s], x, y, heading, direction (1 forward, -1 backward), speed (negative\n"
         "backward), acceleration, steering_angle, steering_rate, curvature and distance, a row every `period` [s]\n"
         "and one at the end. `steering_angle` is that of the wheels at the start.",

@@ -16,5 +16,6 @@ PYBIND11_MODULE(_snug, module) {
     snug::python::define_questions(module);
     snug::python::define_arrays(module);
     snug::python::define_parking(module);
+    snug::python::define_driving(module);
     snug::python::define_atlas(module);
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "driving.hpp"
 #include "module.hpp"
 #include "progress.hpp"
 #include "snug/io.hpp"
@@ -15,10 +16,16 @@ namespace snug::python {
 
 namespace {
 
-Place place_of(const AnyPlace& place) {
-    const auto* street = std::get_if<Street>(&place);
-    return street ? street_place(*street) : std::get<Scene>(place).place;
+enum class Steer { standing, moving };
+
+}  // namespace
+
+template <>
+std::vector<std::pair<std::string_view, Steer>> words() {
+    return {{"standing", Steer::standing}, {"moving", Steer::moving}};
 }
+
+namespace {
 
 void define_places(py::module_& module) {
     const Signature street(
@@ -216,8 +223,9 @@ void define_park(py::module_& module) {
         module,
         "park(car: Car, place: Street | Scene, start: " + pose_type +
             " | None = None, *, max_changes: int = 200, clearance: float = 0.0, resolution: float = 0.0, time_limit: "
-            "float | None = None, roomiest: bool = True, " +
-            search_progress_parameter + ") -> ParkAnswer",
+            "float | None = None, roomiest: bool = True, steer: " +
+            literal<Steer>() + " = 'standing', steering_rate: float = 0.5, " + search_progress_parameter +
+            ") -> ParkAnswer | RollingAnswer",
         "From `start`, a Pose in the world, into a Street or a Scene with the fewest direction changes, whatever way "
         "the\n"
         "car is steered, with proof. Returns a ParkAnswer.\n\n"
@@ -227,15 +235,15 @@ void define_park(py::module_& module) {
         "`time_limit`\n"
         "[s] ends with the bounds found so far; `roomiest=False` takes any maneuver with that many changes. `progress` "
         "is\n"
-        "told a FewestProgress; returning False ends with the bounds found so far.\n",
-        [](const Arguments& given) {
+        "told a FewestProgress; returning False ends with the bounds found so far.\n\n"
+        "With steer='moving' the steering turns, at its `steering_rate` [rad/s], only while the car rolls: a "
+        "RollingAnswer.\n",
+        [](const Arguments& given) -> py::object {
             const auto car = given.get<Car>("car");
             const AnyPlace place = given.get<AnyPlace>("place");
             std::optional<Pose> start;
             given.read("start", start);
-            if (!start)
-                start = std::holds_alternative<Street>(place) ? standard_start(std::get<Street>(place), car)
-                                                              : std::get<Scene>(place).start;
+            if (!start) start = start_in(place, car);
             ParkOptions options;
             given.read("max_changes", options.max_changes);
             given.read("clearance", options.clearance);
@@ -245,6 +253,12 @@ void define_park(py::module_& module) {
             if (time_limit) options.time_limit = *time_limit;
             given.read("roomiest", options.roomiest);
             Progress progress(given.callback("progress"));
+            Steer steer = Steer::standing;
+            double steering_rate = 0.5;
+            given.read("steer", steer);
+            given.read("steering_rate", steering_rate);
+            if (steer == Steer::moving)
+                return py::cast(park_moving(car, place, *start, options, steering_rate, progress));
             options.progress = [&](const ParkProgress& state) { return progress.tell(state); };
             AskedPark asked;
             static_cast<ParkAnswer&>(asked) =
@@ -254,7 +268,7 @@ void define_park(py::module_& module) {
             asked.start = *start;
             asked.max_changes = options.max_changes;
             asked.clearance = options.clearance;
-            return asked;
+            return py::cast(asked);
         });
 }
 

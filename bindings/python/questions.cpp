@@ -87,7 +87,7 @@ void define_baselines(py::module_& module) {
     Value<AskedRun>(module, "MaxSteerRun", "How a run of the strategy went.")
         .field("outcome", &AskedRun::outcome,
                "'parked'; 'no_entry': no possible entry position; 'stuck': in contact both ways; 'never_touches':\n"
-               "circles freely and never gets inside; 'too_many_changes'.")
+               "turned away, nose to the curb, before it was inside; 'too_many_changes'.")
         .field("maneuver", &AskedRun::maneuver, "The moves driven, however the run ended; none for 'no_entry'.",
                "Maneuver")
         .field("slot", &AskedRun::slot, "The slot asked about.", "Slot")

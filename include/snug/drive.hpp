@@ -21,11 +21,18 @@ struct CarErrors {
     Pose bias = {0.0, 0.0, 0.0};                         ///< added to every measured pose [m, m, rad]
     double distance = 0.01;                              ///< of where it comes to rest along a move [m]
     double steering = 0.017453292519943295;              ///< of the steering angle, the same during a move [rad]
+    /// How far the wheels are behind what they are told on the way: a lag of the first order. It is no deviation. [s]
+    double lag = 0.1;
+    /// Of where a street's slot seems to lie, along the street and across it, and of its length and width, as the car sees them
+    /// from the start; with the distance to the slot, the least so far, they shrink to nothing. [m]
+    double slot_place = 0.0;
+    double slot_size = 0.0;
 };
 
 struct DriveOptions {
     CarErrors errors = {};
-    /// How much the car is grown for planning [m]; empty: the least of a list that parks often enough.
+    /// How much the car is grown for planning [m]; empty: the least of a list that parks often enough, or a
+    /// larger one with which it takes fewer changes on average.
     std::optional<double> margin = {};
     double rate = 0.999;   ///< the share of runs that must park without contact, where the margin is looked for
     double spacing = 0.0;  ///< of the map [m]; 0: its usual one
@@ -99,7 +106,10 @@ struct DriveAnswer {
 /// Drives from the start into the place as the Assistant says: in every run the car measures its pose at standstill and every 5 cm on
 /// the way, weighs what it measured against what it thinks it drove (an extended Kalman filter over pose and steering error), keeps
 /// to its move by small corrections of the steering, stops where the move ends or something is near, and asks again.
+/// Beside something, nearer than two margins, it creeps at 0.1 m/s and looks every centimetre.
 /// Throws Error when an option is impossible, or the start meets an obstacle or lies outside of the map.
 DriveAnswer drive_runs(const Car& car, const Place& place, const Pose& start, const DriveOptions& options = {});
+/// In a street, whose slot may be seen with errors: in any other place they have to be 0.
+DriveAnswer drive_runs(const Car& car, const Street& street, const Pose& start, const DriveOptions& options = {});
 
 }  // namespace snug

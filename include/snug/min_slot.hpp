@@ -51,7 +51,7 @@ struct MinSlot {
     std::optional<double> width;   ///< [m]
     double lower = 0.0;  ///< of what is sought: nothing smaller will do, where that is proved (fewest, `prove`) [m]
     /// With `prove`, between `lower` and what is sought: sizes that park as well, or of which nothing is known. No other
-    /// size there parks.
+    /// size there parks, but from slivers of headings of 1e-9 rad in all.
     std::vector<Sizes> open;
     std::optional<double> entry_heading;  ///< max_steer: from which the car parks in it [rad]
     /// Given up, by the progress callback or at the bound on work: as far as it had come.

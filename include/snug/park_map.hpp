@@ -6,12 +6,17 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "snug/car.hpp"
 #include "snug/maneuver.hpp"
 #include "snug/place.hpp"
 
 namespace snug {
+
+namespace detail {
+struct WayLists;
+}
 
 struct ParkMapOptions {
     /// Of the lattice [m]; half of it takes four times as long. 0: 8 cm, or a 32nd of the turning radius where that is less.
@@ -57,6 +62,9 @@ public:
     /// known, and where the car is parked already.
     [[nodiscard]] std::optional<Maneuver> maneuver(const Pose& pose) const;
 
+    /// Whether driving so far meets nothing and stays in the region, by exact contact; so does no pose outside of what is covered.
+    [[nodiscard]] bool goes_free(const Pose& pose, Direction direction, double steering_angle, double length) const;
+
     [[nodiscard]] const Car& car() const;
     [[nodiscard]] const Place& place() const;
     [[nodiscard]] double spacing() const;
@@ -76,6 +84,10 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
+    friend class Assistant;
+    /// The moves of maneuver(), none where there is none. Nothing is allocated while the lists have room.
+    void moves(const Pose& pose, detail::WayLists& lists, std::vector<Move>& moves) const;
+
     struct Swept;
     std::shared_ptr<const Swept> swept_;
 };

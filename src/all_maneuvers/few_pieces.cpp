@@ -1,12 +1,14 @@
 #include "all_maneuvers/few_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
 
 #include "all_maneuvers/route.hpp"
+#include "contact/few.hpp"
 #include "model/angles.hpp"
 
 namespace snug::detail::sets {
@@ -20,9 +22,23 @@ double turned_left(double angle) {
     return left_over < 0.0 ? left_over + full_turn : left_over;
 }
 
+/// At most three.
+struct Pieces {
+    std::array<Path, 3> all;
+    std::size_t count = 0;
+
+    [[nodiscard]] std::size_t size() const { return count; }
+    [[nodiscard]] bool empty() const { return count == 0; }
+    [[nodiscard]] const Path* begin() const { return all.data(); }
+    [[nodiscard]] const Path* end() const { return all.data() + count; }
+    [[nodiscard]] const Path& back() const { return all[count - 1]; }
+    void push_back(const Path& piece) { all[count++] = piece; }
+};
+using Ways = Few<Pieces, 4>;
+
 /// Ways of an arc, a straight line and an arc from one pose to another, driven forward or backward (Dubins 1957), the
 /// shortest first.
-std::vector<std::vector<Path>> ways_between(const Pose& from, const Pose& to, double way, double radius) {
+Ways ways_between(const Pose& from, const Pose& to, double way, double radius) {
     // Backward is forward for a car that looks the other way: left stays left of the car, but turns the other way round.
     const auto [s, c] = angles::sine_cosine(from.heading);
     const double dx = (to.x - from.x) * way, dy = to.y - from.y;
@@ -33,7 +49,7 @@ std::vector<std::vector<Path>> ways_between(const Pose& from, const Pose& to, do
     struct Found {
         double first, middle, last, first_sense, last_sense;
     };
-    std::vector<Found> found;
+    Few<Found, 4> found;
     for (const double one : {1.0, -1.0}) {
         for (const double other : {1.0, -1.0}) {
             // Centres at (0, one) and where the last arc has its own.
@@ -55,10 +71,10 @@ std::vector<std::vector<Path>> ways_between(const Pose& from, const Pose& to, do
     }
     std::sort(found.begin(), found.end(),
               [](const Found& a, const Found& b) { return a.first + a.middle + a.last < b.first + b.middle + b.last; });
-    std::vector<std::vector<Path>> ways;
+    Ways ways;
     for (const Found& of : found) {
         if (of.first > 2.5 || of.last > 2.5) continue;
-        std::vector<Path> pieces;
+        Pieces pieces;
         Pose at = from;
         const auto add = [&](double curvature, double length) {
             if (!(length > 1e-9)) return;
@@ -69,7 +85,7 @@ std::vector<std::vector<Path>> ways_between(const Pose& from, const Pose& to, do
         add(0.0, of.middle * radius);
         add(of.last_sense / radius, of.last * radius);
         const double off = std::abs(at.x - to.x) + std::abs(at.y - to.y) + std::abs(at.heading - to.heading);
-        if (off < 1e-7 && !pieces.empty()) ways.push_back(std::move(pieces));
+        if (off < 1e-7 && !pieces.empty()) ways.push_back(pieces);
     }
     return ways;
 }
@@ -137,7 +153,8 @@ std::vector<Path> two_arcs(const Pose& from, const Pose& to, double way, double 
     return off < 1e-7 ? pieces : std::vector<Path>{};
 }
 
-bool stays_in_chart(const std::vector<Path>& way) {
+template <class Some>
+bool stays_in_chart(const Some& way) {
     for (const Path& piece : way)
         if (std::abs(angles::sin(piece.at(piece.length).heading)) > steepest_sine ||
             std::abs(piece.at(piece.length).heading) > full_turn / 4.0)
@@ -149,25 +166,30 @@ bool stays_in_chart(const std::vector<Path>& way) {
 
 std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Path>& way) {
     std::vector<Path> few;
+    with_few_pieces(place, way, few);
+    return few;
+}
+
+void with_few_pieces(const ChartPlace& place, const std::vector<Path>& way, std::vector<Path>& few) {
+    few.clear();
     for (std::size_t begin = 0; begin < way.size();) {
         std::size_t end = begin;
         while (end < way.size() && way[end].way == way[begin].way) ++end;
         // Poses 0 to n of this move; a stretch from one to another is replaced if that meets nothing.
-        std::vector<Path> move(way.begin() + static_cast<std::ptrdiff_t>(begin),
-                               way.begin() + static_cast<std::ptrdiff_t>(end));
-        const std::size_t n = move.size();
-        const auto pose = [&](std::size_t i) { return i < n ? move[i].start : move.back().at(move.back().length); };
+        const Path* const move = way.data() + begin;
+        const std::size_t n = end - begin;
+        const auto pose = [&](std::size_t i) { return i < n ? move[i].start : move[n - 1].at(move[n - 1].length); };
         Pose at = pose(0);
         const auto shortcut = [&](std::size_t to) {
-            for (std::vector<Path>& pieces : ways_between(at, pose(to), way[begin].way, place.radius)) {
+            for (const Pieces& pieces : ways_between(at, pose(to), way[begin].way, place.radius)) {
                 if (!stays_in_chart(pieces)) continue;
                 if (std::all_of(pieces.begin(), pieces.end(), [&](const Path& piece) { return is_free(place, piece); }))
                     return pieces;
             }
-            return std::vector<Path>{};
+            return Pieces{};
         };
         for (std::size_t i = 0; i < n;) {
-            std::vector<Path> best;
+            Pieces best;
             std::size_t reached = i;
             // The whole rest, or else as far as doubling and then halving of the step leads.
             std::size_t step = n - i;
@@ -176,22 +198,22 @@ std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Pat
                 reached = n;
             } else {
                 for (step = 1; i + step < n; step *= 2) {
-                    std::vector<Path> pieces = shortcut(i + step);
+                    const Pieces pieces = shortcut(i + step);
                     if (pieces.empty()) break;
-                    best = std::move(pieces);
+                    best = pieces;
                     reached = i + step;
                 }
                 for (; step > 0; step /= 2) {
                     if (reached + step >= n) continue;
-                    std::vector<Path> pieces = shortcut(reached + step);
+                    const Pieces pieces = shortcut(reached + step);
                     if (pieces.empty()) continue;
-                    best = std::move(pieces);
+                    best = pieces;
                     reached += step;
                 }
             }
             if (best.empty()) {  // as it was
-                best = {move[i]};
-                best[0].start = at;
+                best.push_back(move[i]);
+                best.all[0].start = at;
                 reached = i + 1;
             }
             for (Path piece : best) {
@@ -207,7 +229,6 @@ std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Pat
         }
         begin = end;
     }
-    return few;
 }
 
 namespace {
@@ -236,7 +257,8 @@ struct Joints {
 
 /// All short ways between two poses.
 std::vector<std::vector<Path>> ways_to_join(const Pose& from, const Pose& to, double way, double radius) {
-    std::vector<std::vector<Path>> ways = ways_between(from, to, way, radius);
+    std::vector<std::vector<Path>> ways;
+    for (const Pieces& pieces : ways_between(from, to, way, radius)) ways.emplace_back(pieces.begin(), pieces.end());
     std::vector<Path> wide = arc_and_line(from, to, way, radius);
     if (!wide.empty()) ways.push_back(std::move(wide));
     wide = two_arcs(from, to, way, radius);
@@ -275,8 +297,8 @@ Joints joints_of(const ChartPlace& place, const std::vector<Path>& move) {
         joints.to[i] = i + 1;
         joints.rest[i] = trouble(joints.next[i], place.radius) + joints.rest[i + 1];
         for (std::size_t j = i + 1; j < n; ++j) {
-            for (std::vector<Path>& pieces :
-                 ways_between(joints.poses[i], joints.poses[j], move[0].way, place.radius)) {
+            for (const Pieces& few : ways_between(joints.poses[i], joints.poses[j], move[0].way, place.radius)) {
+                std::vector<Path> pieces(few.begin(), few.end());
                 const double costs = trouble(pieces, place.radius) + joints.rest[j];
                 if (costs >= joints.rest[i] || !all_free(place, pieces)) continue;
                 joints.rest[i] = costs;

@@ -11,6 +11,8 @@ namespace snug::detail::sets {
 /// The same moves with few pieces: as far as nothing is in the way, each stretch becomes the shortest way between its ends,
 /// which is an arc, a straight line and an arc.
 std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Path>& way);
+/// The same, into a list whose memory is used again.
+void with_few_pieces(const ChartPlace& place, const std::vector<Path>& way, std::vector<Path>& few);
 
 /// As many moves, to the same place, with fewer and shorter pieces as far as that can be had by changing where a move ends
 /// and the next one begins. It costs what `trouble` says, and never more than the way given.

@@ -543,8 +543,8 @@ int InnerMap::changes_from(Direction leaving, const At& node) const {
     return -1;
 }
 
-std::vector<Path> InnerMap::way(const Pose& start, const Joining& joining) const {
-    std::vector<Path> way;
+void InnerMap::way(const Pose& start, const Joining& joining, std::vector<Path>& way) const {
+    way.clear();
     Pose pose = start;
     const double r = place_.radius;
     add_arc(way, pose, r, joining.first_side, joining.sines[0], joining.sines[1], joining.direction);
@@ -603,7 +603,10 @@ std::vector<Path> InnerMap::way(const Pose& start, const Joining& joining) const
             }
             const double most = std::max({left_room, right_room, across_room});
             if (room_here >= 0.0 && (room_here > enough_room || most <= room_here + worth_a_step)) break;
-            if (most < 0.0) return {};
+            if (most < 0.0) {
+                way.clear();
+                return;
+            }
             if (left_room >= right_room && left_room >= across_room) {
                 add_step(*this, way, pose, at.column, left, direction);
                 at = left_to;
@@ -616,7 +619,6 @@ std::vector<Path> InnerMap::way(const Pose& start, const Joining& joining) const
             }
         }
     }
-    return way;
 }
 
 std::size_t InnerMap::bytes() const {

@@ -71,7 +71,7 @@ public:
     /// The way with the fewest changes that is known; empty where none is. Nothing is allocated.
     [[nodiscard]] std::optional<Joining> joining(const Pose& pose) const;
     /// Driven, in the chart; empty if it cannot be followed.
-    [[nodiscard]] std::vector<Path> way(const Pose& start, const Joining& joining) const;
+    void way(const Pose& start, const Joining& joining, std::vector<Path>& way) const;
 
     [[nodiscard]] double h() const { return h_; }
     [[nodiscard]] double radius() const { return place_.radius; }

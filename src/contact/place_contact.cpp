@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "contact/few.hpp"
 #include "model/angles.hpp"
 
 namespace snug::detail {
@@ -20,7 +21,8 @@ struct Edge {
     Point from, along, normal;
     double length;
 
-    Edge(const std::vector<Point>& polygon, std::size_t i) : from(polygon[i]) {
+    template <class Polygon>
+    Edge(const Polygon& polygon, std::size_t i) : from(polygon[i]) {
         const Point to = polygon[(i + 1) % polygon.size()];
         length = angles::hypot(to.x - from.x, to.y - from.y);
         along = {(to.x - from.x) / length, (to.y - from.y) / length};
@@ -54,9 +56,9 @@ Point turned_by(const Point& p, double sine, double cosine) {
 
 /// How far the corners of `moving` drive until one sinks into an edge of `still`: both in one frame, in which the corners
 /// turn about `centre`, or, without curvature, move along `ahead`.
-double corners_into_edges(const std::vector<Point>& moving, const std::vector<Point>& still, bool straight,
-                          const Point& centre, const Point& ahead, double sense, double radius, double length,
-                          double touch) {
+template <class Moving, class Still>
+double corners_into_edges(const Moving& moving, const Still& still, bool straight, const Point& centre,
+                          const Point& ahead, double sense, double radius, double length, double touch) {
     double first = never;
     for (std::size_t i = 0; i < still.size(); ++i) {
         const Edge edge(still, i);
@@ -101,9 +103,24 @@ std::vector<Point> placed(const std::vector<Point>& shape, const Pose& pose) {
     return there;
 }
 
-double overlap(const std::vector<Point>& one, const std::vector<Point>& other) {
+namespace {
+
+/// So many corners, wherever they lie.
+struct Corners {
+    const Point* first;
+    std::size_t count;
+
+    [[nodiscard]] std::size_t size() const { return count; }
+    const Point& operator[](std::size_t i) const { return first[i]; }
+    [[nodiscard]] const Point* begin() const { return first; }
+    [[nodiscard]] const Point* end() const { return first + count; }
+};
+
+}  // namespace
+
+double overlap(const Point* one, std::size_t corners, const Point* other, std::size_t other_corners) {
     double least = never;
-    const auto along_edges = [&](const std::vector<Point>& a, const std::vector<Point>& b) {
+    const auto along_edges = [&](const Corners& a, const Corners& b) {
         for (std::size_t i = 0; i < a.size(); ++i) {
             const Edge edge(a, i);
             double deepest = -never;
@@ -111,8 +128,31 @@ double overlap(const std::vector<Point>& one, const std::vector<Point>& other) {
             least = std::min(least, deepest);
         }
     };
-    along_edges(one, other);
-    along_edges(other, one);
+    along_edges({one, corners}, {other, other_corners});
+    along_edges({other, other_corners}, {one, corners});
+    return least;
+}
+
+double overlap(const std::vector<Point>& one, const std::vector<Point>& other) {
+    return overlap(one.data(), one.size(), other.data(), other.size());
+}
+
+double distance(const Point* one, std::size_t corners, const Point* other, std::size_t other_corners) {
+    const double deep = overlap(one, corners, other, other_corners);
+    if (deep > 0.0) return -deep;
+    double least = never;
+    const auto corners_from_edges = [&](const Corners& of, const Corners& edges) {
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            const Point &from = edges[i], &to = edges[(i + 1) % edges.size()];
+            const Point along = minus(to, from);
+            for (const Point& p : of) {
+                const double part = std::clamp(dot(minus(p, from), along) / dot(along, along), 0.0, 1.0);
+                least = std::min(least, angles::hypot(p.x - from.x - part * along.x, p.y - from.y - part * along.y));
+            }
+        }
+    };
+    corners_from_edges({one, corners}, {other, other_corners});
+    corners_from_edges({other, other_corners}, {one, corners});
     return least;
 }
 
@@ -124,10 +164,11 @@ double first_contact(const std::vector<Point>& shape, const Path& path, const st
     const Point ahead = {path.way * c, path.way * s};
     Point centre{};
     if (!straight) centre = {path.start.x - s / path.curvature, path.start.y + c / path.curvature};
-    double first = corners_into_edges(placed(shape, path.start), solid, straight, centre, ahead, sense, radius,
-                                      path.length, touch);
+    // Few shapes have more corners: these lie in place.
+    Few<Point, 64> there, seen;
+    for (const Point& p : shape) there.push_back({path.start.x + p.x * c - p.y * s, path.start.y + p.x * s + p.y * c});
+    double first = corners_into_edges(there, solid, straight, centre, ahead, sense, radius, path.length, touch);
     // The same seen from the car: the solid's corners come towards it, turning the other way.
-    std::vector<Point> seen;
     for (const Point& p : solid) {
         const double x = p.x - path.start.x, y = p.y - path.start.y;
         seen.push_back({x * c + y * s, y * c - x * s});

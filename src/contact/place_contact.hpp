@@ -1,6 +1,7 @@
 // First contact of a convex car among convex solids, exactly: while it drives an arc or a straight line.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -24,6 +25,10 @@ std::vector<Point> placed(const std::vector<Point>& shape, const Pose& pose);
 /// How far one of two convex polygons, both counter-clockwise, must at least be moved to part them; negative where they are
 /// apart: then it is no more than their distance. [m]
 double overlap(const std::vector<Point>& one, const std::vector<Point>& other);
+/// The same of so many corners each.
+double overlap(const Point* one, std::size_t corners, const Point* other, std::size_t other_corners);
+/// How far two convex polygons are apart, or, negative, what overlap() says. [m]
+double distance(const Point* one, std::size_t corners, const Point* other, std::size_t other_corners);
 
 constexpr double never = std::numeric_limits<double>::infinity();
 

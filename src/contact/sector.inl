@@ -14,12 +14,12 @@
 /// What the car turns among, seen from the turning centre.
 template <class Real>
 struct Surroundings {
-    Real x, y;          ///< of the turning centre [m]
-    Real length;        ///< of the slot [m]
-    Real above_curb;    ///< of the centre [m]
-    Real above_front;   ///< above the top of the front neighbour [m]
-    Real above_rear;    ///< above the top of the rear neighbour [m]
-    Real touch;         ///< closer than this is touching [m]
+    Real x, y;         ///< of the turning centre [m]
+    Real length;       ///< of the slot [m]
+    Real above_curb;   ///< of the centre [m]
+    Real above_front;  ///< above the top of the front neighbour [m]
+    Real above_rear;   ///< above the top of the rear neighbour [m]
+    Real touch;        ///< closer than this is touching [m]
 };
 
 /// An edge of the car seen from the turning centre, as far as a fixed point can enter over it: there it moves along the
@@ -88,7 +88,8 @@ struct First {
 
     /// A corner of the car meets the upright side of a neighbour, to the right (sign 1) or to the left (sign -1).
     template <int Sign>
-    SNUG_INLINE void corner_meets_side(const SeenCorner<Real>& corner, Real along, Real above_top, Real touch, Meets meets) {
+    SNUG_INLINE void corner_meets_side(const SeenCorner<Real>& corner, Real along, Real above_top, Real touch,
+                                       Meets meets) {
         // What moves inward lies above the centre on its right and below it on its left, as far as the circle crosses squarely.
         if constexpr (N::alone && Sign > 0) {
             if (above_top > 2.0 * touch) return;
@@ -126,7 +127,7 @@ struct First {
             const Real start_x = corner.x * start_c - corner.y * start_s;
             const Real start_y = corner.x * start_s + corner.y * start_c;
             const Mask touching = N::both(N::abs(start_y + above) <= touch, start_x > N::set(0.0));
-            return AtStart<N>{touching, start_x > start_x};
+            return AtStart<N>{touching, N::both(touching, N::opposite(touching))};
         };
         consider(root<N>(crossing), exists, at_start, Meets::curb, corner.index);
     }
@@ -148,7 +149,8 @@ struct First {
             const Real start_y = corner.x * start_s + corner.y * start_c;
             const Mask touching = N::both(N::abs(start_y + above) <= touch, start_x > N::set(0.0));
             const Mask moves_onto = Sign > 0 ? start_y > N::set(0.0) : start_y < N::set(0.0);
-            return AtStart<N>{N::both(touching, N::either(beyond_end > touch, moves_onto)), start_x > start_x};
+            return AtStart<N>{N::both(touching, N::either(beyond_end > touch, moves_onto)),
+                              N::both(touching, N::opposite(touching))};
         };
         const Mask at_end = beyond_end <= touch;
         if (!N::none(at_end)) exists = N::both(exists, N::either(N::opposite(at_end), at_start().touches));

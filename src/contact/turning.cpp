@@ -61,6 +61,10 @@ int leading(const Outline& outline, int before, const Point& own) {
 
 Few<TurningShape::Leading, 4> leading(const Outline& outline, const Few<Border, 4>& ends) {
     Few<TurningShape::Leading, 4> found;
+    if (ends.size() == 1) {  // a rectangle, which begins with its front-left corner
+        found.push_back({{2, 3, 0, 1}});
+        return found;
+    }
     TurningShape::Leading now = {};
     Border begin = {0.0, 1.0};
     for (const Border& end : ends) {
@@ -101,12 +105,12 @@ Few<Point, 4> directions(const Outline& body) {
 }
 
 /// The edges of the body, as far as a point turning counter-clockwise about the centre can enter over them.
-Few<TurningEdge, 8> seen_edges(const Few<TurningCorner, 12>& corners, const Few<Point, 4>& ways, double touch) {
+Few<TurningEdge, 4> seen_edges(const Few<TurningCorner, 12>& corners, const Few<Point, 4>& ways, double touch) {
     const auto along = [](const TurningCorner& point, const Point& way) { return point.x * way.x + point.y * way.y; };
     const double margin = 4.0 * touch;
     const std::size_t count = ways.size();
-    Few<TurningEdge, 8> edges;
-    edges.resize(2 * count);
+    Few<TurningEdge, 4> edges;
+    edges.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = i + 1 == count ? 0 : i + 1;
         const Point& way = ways[i];
@@ -124,10 +128,7 @@ Few<TurningEdge, 8> seen_edges(const Few<TurningCorner, 12>& corners, const Few<
         const double square = edge.distance * edge.distance;
         edge.nearest_square = (near * near + square) * (1.0 - 1e-12);
         edge.farthest_square = edge.to > 0.0 ? (far * far + square) * (1.0 + 1e-12) : -1.0;
-        for (int quarter = 0; quarter < 4; ++quarter)
-            edge.normal[static_cast<std::size_t>(quarter)] = turned(outward(way), quarter);
     }
-    for (std::size_t i = 0; i < count; ++i) edges[count + i] = edges[i];
     return edges;
 }
 
@@ -188,6 +189,7 @@ void TurningFrame::see(const TurningShape& shape, int any_quarter) {
     const auto point = [](const TurningCorner& corner) { return Point{corner.x, corner.y}; };
     const auto& at_curb = shape.body_at_curb ? shape.body : shape.at_curb;
     const auto& of_frame = shape.body_is_frame ? shape.body : shape.frame;
+    for (std::size_t i = 0; i < edges.size(); ++i) edges[i].normal[down] = turned(outward(shape.ways[i]), quarter);
     Border begin = {0.0, 1.0};
     for (std::size_t i = 0; i < shape.ends.size(); ++i) {
         const Border& end = shape.ends[i];
@@ -196,7 +198,7 @@ void TurningFrame::see(const TurningShape& shape, int any_quarter) {
         sector.end_s = end.s;
         const double begin_order = begin.s - begin.c;
         const double end_order = end.s - end.c;
-        if (end.s > 0.0) sector.end_order = end_order;
+        sector.end_order = end.s > 0.0 ? end_order : -2.0;
         sector.lowest = seen(0, shape.body[i][down]);
         sector.leftmost = seen(0, shape.body[i][left]);
         sector.rightmost = seen(0, shape.body[i][right]);
@@ -218,12 +220,12 @@ FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const P
     First<Plain<double>, Found> first(c, s, sector.end_order);
     first.corners_meet(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around);
     const TurningEdge* const edges = frame.edges.data();
-    const int count = static_cast<int>(frame.edges.size() / 2);
+    const TurningEdge* const end = frame.edges.end();
     // Inlined twice by force, so that `first` stays in registers.
     const auto edges_meet = [&](int from, int to, double gx, double gy, Meets meets) __attribute__((always_inline)) {
         const double square = gx * gx + gy * gy;
-        const TurningEdge* const last = edges + (to < from ? to + count : to);
-        for (const TurningEdge* edge = edges + from; edge != last; ++edge) {
+        const TurningEdge* const last = edges + to;
+        for (const TurningEdge* edge = edges + from; edge != last; edge = edge + 1 == end ? edges : edge + 1) {
             if (square < edge->nearest_square || square > edge->farthest_square) continue;
             const Point& normal = edge->normal[static_cast<std::size_t>(quarter & 3)];
             first.edge_meets_corner(*edge, normal.x, normal.y, gx, gy, problem.touch, meets);

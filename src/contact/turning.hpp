@@ -116,7 +116,7 @@ struct Sector {
 /// An edge of the body, and how near and how far from the centre a point must be to meet it.
 struct TurningEdge : SeenEdge<Plain<double>> {
     double nearest_square, farthest_square;  ///< a little less and a little more; none where nothing can enter [m^2]
-    std::array<Point, 4> normal;             ///< outward, in each quarter turn
+    std::array<Point, 4> normal;             ///< outward, in each quarter turn that has been seen
 };
 
 /// The direction of a heading at which a sector ends, within its quarter turn.
@@ -149,12 +149,13 @@ struct TurningFrame {
     void see(const TurningShape& shape, int any_quarter);
 
     Few<Sector, 4> sectors;     ///< quarter by quarter, as many in each, in the order of falling headings
-    Few<TurningEdge, 8> edges;  ///< as the outline counts them, twice around
+    Few<TurningEdge, 4> edges;  ///< as the outline counts them
     int per_quarter = 1;
 
     /// The sector of a quarter, counted on from the quarter's first.
     [[nodiscard]] const Sector& at(int quarter, int sector) const {
-        return sectors[static_cast<std::size_t>((quarter & 3) * per_quarter + sector)];
+        const int counted = (quarter & 3) * per_quarter + sector;
+        return sectors[static_cast<std::size_t>(counted)];
     }
     /// In which sector of its quarter a heading lies; at a border in the one that begins there.
     [[nodiscard]] int sector_of(const QuarterHeading& heading) const {

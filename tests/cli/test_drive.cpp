@@ -15,8 +15,9 @@ TEST(Drive, AnswersInEveryFormat) {
         run(bay + few + "--format json --trajectory " + folder.file("t.csv") + " --draw " + folder.file("tracks.svg"));
     EXPECT_EQ(json.exit_code, 0) << json.err;
     const auto answer = nlohmann::json::parse(json.out);
-    for (const char* key : {"schema", "car", "slot", "start", "runs", "seed", "margin", "parked", "contacts",
-                            "planned_changes", "lower_bound", "direction_changes", "seconds", "smallest_distance"})
+    for (const char* key : {"schema", "car", "slot", "start", "sensing", "bias", "actuation", "lag", "slot_error",
+                            "runs", "seed", "margin", "parked", "contacts", "planned_changes", "lower_bound",
+                            "direction_changes", "seconds", "smallest_distance"})
         EXPECT_TRUE(answer.contains(key)) << key;
     EXPECT_EQ(answer["runs"], 5);
     EXPECT_EQ(answer["parked"], 5);
@@ -35,6 +36,15 @@ TEST(Drive, AnswersInEveryFormat) {
     EXPECT_NE(run(bay + few + "--seed 2 --format csv").out, csv.out);
 }
 
+TEST(Drive, TakesErrorsOfTheSlotAndALag) {
+    const auto answer = nlohmann::json::parse(run(bay + few + "--lag 0.2 --slot-error 0.03,0.02 --format json").out);
+    EXPECT_EQ(answer["lag"], 0.2);
+    EXPECT_EQ(answer["slot_error"], nlohmann::json::parse("[0.03, 0.02]"));
+    EXPECT_EQ(answer["runs"], 5);
+    EXPECT_NE(run(bay + few + "--format csv").out, run(bay + few + "--slot-error 0.03,0.02 --format csv").out);
+    EXPECT_NE(run(bay + few + "--format csv").out, run(bay + few + "--lag 0 --format csv").out);
+}
+
 TEST(Drive, WithoutAPlanIsNo) {
     const Result none = run("drive --car renault-zoe --length 4.2 --width 1.8 --runs 3");
     EXPECT_EQ(none.exit_code, 1);
@@ -51,6 +61,15 @@ TEST(Drive, RefusesWhatIsImpossible) {
     refused("--sensing 0.1,0.1", {"--sensing"});
     refused("--sensing=-0.1,0,0 --runs 1", {"sensing error"});
     refused("--actuation 0.1", {"--actuation"});
+    refused("--lag -1", {"--lag"});
+    refused("--slot-error 0.1", {"--slot-error"});
+    refused("--slot-error 0.1,-1", {"error of the slot's size"});
+    const Folder folder;
+    const std::string yard =
+        folder.with("yard.json", R"({"obstacles": [], "parked": {"pose": [-3, 0, 0], "tolerance": [0.5, 0.5, 0.1]}, )"
+                                 R"("start": [3, 0, 0]})");
+    expect_refusal(run("drive --car renault-zoe --scene " + yard + " --slot-error 0.1,0.1"),
+                   {"--slot-error", "--scene"});
     refused("--steer moving", {"--steer", "standing"});
     refused("--clearance 0.1", {"--clearance", "--margin"});
     refused("--from 0.5,-1,0 --runs 1", {"in contact with", "m deep"});

@@ -103,7 +103,8 @@ TEST(Entry, TellsHowFarTheStartMayBeOff) {
     after >> told;
     EXPECT_LE(told, off["along"].get<double>());
     EXPECT_NEAR(told, off["along"].get<double>(), 1e-3);
-    EXPECT_NE(run(zoe + "--enter forward --length 9 --width 3").out.find(" m ahead, or "), std::string::npos);
+    EXPECT_NE(run("entry --car renault-zoe --length 9 --width 3 --enter forward").out.find(" m ahead, or "),
+              std::string::npos);
     EXPECT_EQ(run(zoe + "--strategy fewest").out.find("off by"), std::string::npos);
     EXPECT_FALSE(Json::parse(run(zoe + "--strategy fewest --format json").out).contains("start_tolerance"));
     EXPECT_FALSE(Json::parse(run(zoe + "--strategy stepping --format json").out).contains("start_tolerance"));

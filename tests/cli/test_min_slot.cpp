@@ -193,7 +193,10 @@ TEST(MinSlot, OneSlotIsAnsweredInWords) {
               "  0.133 m narrower would need 2\n");
     const Result hopeless = run(zoe + "--length 4 --width 2");
     EXPECT_EQ(hopeless.exit_code, 1);
-    EXPECT_NE(hopeless.out.find("It is 0.084 m too short."), std::string::npos) << hopeless.out;
+    EXPECT_NE(hopeless.out.find("It is 0.084 m too short for the car."), std::string::npos) << hopeless.out;
+    EXPECT_NE(
+        run(zoe + "--length 4.1 --width 1.8 --clearance 0.05").out.find("too narrow for the car with its clearance."),
+        std::string::npos);
     EXPECT_NE(hopeless.out.find("m longer would do with"), std::string::npos) << hopeless.out;
     const Json rows = Json::parse(run(zoe + "--length 5.2 --width 2.1 --format json").out)["rows"];
     ASSERT_EQ(rows.size(), 3U);

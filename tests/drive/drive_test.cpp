@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "atlas/allocations.hpp"
 #include "drive/run.hpp"
 #include "park/judge.hpp"
 #include "park/random_places.hpp"
@@ -43,7 +46,7 @@ const Pose usual_start = {2.0, 1.75, 0.0};
 
 DriveOptions without_errors() {
     DriveOptions options;
-    options.errors = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0, 0.0};
+    options.errors = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0, 0.0, 0.0};
     options.margin = 0.03;
     options.runs = 3;
     return options;
@@ -130,6 +133,45 @@ TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
     EXPECT_GT(overlapped, 0);
     EXPECT_GT(stuck, 0);
     EXPECT_GE(parked + escaped, 0);
+}
+
+TEST(Assistant, AllocatesNothingInMemoryMadeBefore) {
+    for (const double angle : {0.0, 1.5707963267948966}) {
+        Street street = usual_street();
+        street.angle = angle;
+        street.width = angle == 0.0 ? 2.0 : 2.5;
+        street.road = angle == 0.0 ? 3.5 : 6.0;
+        AssistantOptions options;
+        options.margin = 0.03;
+        const Assistant assistant(zoe(), street, options);
+        snug::AssistantMemory memory(assistant);
+        Random random(3);
+        std::size_t allocated = 0;
+        double slowest = 0.0, sum = 0.0;
+        int answers[5] = {};
+        const int poses = snug::test::sample(2000, 100000);
+        for (int i = 0; i < poses; ++i) {
+            const Pose pose = {random.between(-9.0, 9.0), random.between(-2.5, 5.0), random.between(-0.6, 0.6 + angle)};
+            const std::optional<Direction> driven =
+                random.chance(0.3) ? std::nullopt
+                                   : std::optional(random.chance(0.5) ? Direction::forward : Direction::backward);
+            const auto begin = std::chrono::steady_clock::now();
+            const std::size_t before = snug::test::allocations();
+            const Instruction& told = assistant.next(pose, driven, memory);
+            allocated += snug::test::allocations() - before;
+            const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            slowest = std::max(slowest, took);
+            sum += took;
+            ++answers[told.what];
+            if (i % 50 == 0) {
+                EXPECT_EQ(told, assistant.next(pose, driven)) << i;
+            }
+        }
+        EXPECT_EQ(allocated, 0U);
+        EXPECT_GT(answers[Instruction::move], 0);
+        EXPECT_GT(answers[Instruction::overlap], 0);
+        std::cout << "next(): " << 1e3 * sum / poses << " ms on average, at most " << 1e3 * slowest << " ms\n";
+    }
 }
 
 TEST(Assistant, HasNoAnswerToPosesThatAreNoNumbers) {
@@ -272,6 +314,40 @@ TEST(Drive, LookingAgainParksMoreOftenThanNot) {
     EXPECT_GT(looking.parked(), 2 * blind.parked());
 }
 
+TEST(Drive, ASlotSeenWithErrorsIsParkedInAllTheSame) {
+    DriveOptions options;
+    options.errors.slot_place = 0.03;
+    options.errors.slot_size = 0.02;
+    options.margin = 0.03;
+    options.runs = snug::test::sample(16, 200);
+    options.threads = 1;
+    const DriveAnswer one = drive_runs(zoe(), usual_street(), usual_start, options);
+    EXPECT_GT(one.parked(), options.runs * 8 / 10);
+    options.threads = 3;
+    EXPECT_EQ(one.runs, drive_runs(zoe(), usual_street(), usual_start, options).runs);
+    options.errors.slot_place = options.errors.slot_size = 0.0;
+    EXPECT_NE(one.runs, drive_runs(zoe(), usual_street(), usual_start, options).runs);
+    EXPECT_EQ(drive_runs(zoe(), street_place(usual_street()), usual_start, options).runs,
+              drive_runs(zoe(), usual_street(), usual_start, options).runs);
+}
+
+TEST(Drive, EachErrorAloneIsBorne) {
+    for (const int which : {0, 1, 2, 3, 4, 5}) {
+        SCOPED_TRACE(which);
+        DriveOptions options = without_errors();
+        const snug::CarErrors usual;
+        if (which == 0) options.errors.sensing = usual.sensing;
+        if (which == 1) options.errors.bias = {0.005, 0.005, 0.002};
+        if (which == 2) options.errors.distance = usual.distance;
+        if (which == 3) options.errors.steering = usual.steering;
+        if (which == 4) options.errors.lag = 0.2;
+        if (which == 5) options.errors.slot_place = options.errors.slot_size = 0.02;
+        options.runs = snug::test::sample(10, 200);
+        const DriveAnswer answer = drive_runs(zoe(), usual_street(), usual_start, options);
+        EXPECT_GE(answer.parked(), options.runs * 8 / 10);
+    }
+}
+
 TEST(Drive, FindsAMarginThatDoes) {
     Street street = usual_street();
     street.length = 5.0;
@@ -329,7 +405,16 @@ TEST(Drive, RefusesWhatIsImpossible) {
         options = without_errors();
         options.rate = bad;
         refused(options);
+        options = without_errors();
+        options.errors.lag = bad;
+        refused(options);
+        options = without_errors();
+        options.errors.slot_size = bad;
+        EXPECT_THROW((void)drive_runs(zoe(), usual_street(), usual_start, options), snug::Error);
     }
+    DriveOptions of_a_slot = without_errors();
+    of_a_slot.errors.slot_place = 0.01;
+    refused(of_a_slot);                             // there is none
     refused(without_errors(), {2.0, 0.0, 0.0});     // in the front neighbour
     refused(without_errors(), {500.0, 1.75, 0.0});  // far out of the region
 }

@@ -35,8 +35,7 @@ struct Problem {
 
 /// The shortest push that separates the car from each block; negative when they are apart.
 template <class Real>
-std::array<Real, 3> depths(const Problem<Real>& problem, const Place<Real>& place) {
-    const Standing<Real> car(place);
+std::array<Real, 3> depths(const Problem<Real>& problem, const Standing<Real>& car) {
     const Vec<Real> p = problem.front_corner(), q = problem.rear_corner();
     constexpr Real far = std::numeric_limits<Real>::infinity();
     Real left = far, right = -far, low = far, lowest = far;
@@ -58,24 +57,36 @@ std::array<Real, 3> depths(const Problem<Real>& problem, const Place<Real>& plac
 }
 
 template <class Real>
-Real depth(const Problem<Real>& problem, const Place<Real>& place) {
-    const std::array<Real, 3> all = depths(problem, place);
+std::array<Real, 3> depths(const Problem<Real>& problem, const Place<Real>& place) {
+    return depths(problem, Standing<Real>(place));
+}
+
+template <class Real>
+Real depth(const Problem<Real>& problem, const Standing<Real>& car) {
+    const std::array<Real, 3> all = depths(problem, car);
     return std::max({all[0], all[1], all[2]});
+}
+template <class Real>
+Real depth(const Problem<Real>& problem, const Place<Real>& place) {
+    return depth(problem, Standing<Real>(place));
 }
 
 /// How far the car is from being parked by the worst of all conditions, a radian counting as a metre; not above zero
 /// when it is parked, provided that it is free.
 template <class Real>
-Real short_of_parked(const Problem<Real>& problem, const Place<Real>& place) {
-    Real worst = std::abs(place.heading) - problem.parked_heading;
+Real short_of_parked(const Problem<Real>& problem, const Standing<Real>& car) {
+    Real worst = std::abs(car.heading) - problem.parked_heading;
     Real low = std::numeric_limits<Real>::infinity();
-    const Standing<Real> car(place);
     for (const Vec<Real>& own : problem.car.corners) {
         const Vec<Real> p = car.at(own);
         worst = std::max({worst, p.y, p.x, -problem.length - p.x});
         low = std::min(low, p.y);
     }
     return std::max(worst, low + problem.width - problem.parked_curb);
+}
+template <class Real>
+Real short_of_parked(const Problem<Real>& problem, const Place<Real>& place) {
+    return short_of_parked(problem, Standing<Real>(place));
 }
 
 /// How far the worst corner sticks out of the slot on the road's side or over an end, and the wheels over the curb.
@@ -107,7 +118,8 @@ struct Quantity {
 template <class Real>
 class Moving {
 public:
-    Moving(const Problem<Real>& problem, const Path<Real>& path) : problem_(problem), path_(path), turn_(path.turn()) {
+    Moving(const Problem<Real>& problem, const Path<Real>& path)
+        : problem_(problem), way_(path), direction_(Real(path.direction)), turn_(path.turn()) {
         const auto bends_of = [&](const Polygon<Real>& polygon) {
             std::vector<Real> bends;
             for (const Vec<Real>& p : polygon.corners)
@@ -166,7 +178,7 @@ public:
     /// How far the car certainly goes on with one of the conditions of being parked short by `level` or more.
     Real short_for(Real distance, Real most, Real level) const {
         const Seen seen(*this, distance);
-        const Real heading = seen.place.heading;
+        const Real heading = seen.car.heading;
         Real far = 0, near_curb = most;
         const auto holds = [&](Real value, Real slope, Real bend) {
             if (far < most && value > level)
@@ -193,8 +205,8 @@ public:
             most = Quantity<Real>{value > 0 && value <= problem_.forgiven ? 0 : value, slope, bend}.stays_below(most);
         };
         const Real whole = most;
-        limit(seen.place.heading - problem_.parked_heading, turn_, 0);
-        limit(-seen.place.heading - problem_.parked_heading, -turn_, 0);
+        limit(seen.car.heading - problem_.parked_heading, turn_, 0);
+        limit(-seen.car.heading - problem_.parked_heading, -turn_, 0);
         for (std::size_t i = 0; i < car_.size(); ++i) {
             const auto [point, speed] = seen.corner(problem_.car.corners[i]);
             limit(point.y, speed.y, car_[i]);
@@ -214,26 +226,25 @@ private:
     /// The car at one moment.
     struct Seen {
         Seen(const Moving& moving, Real distance)
-            : place(moving.path_.at(distance)),
-              car(place),
-              travel(Real(moving.path_.direction) * car.ahead),
-              turn(moving.turn_) {}
+            : car(moving.way_.at(distance)), travel(moving.direction_ * car.ahead), turn(moving.turn_) {}
         Corner corner(Vec<Real> p) const {
             const Vec<Real> from_axle = car.turned(p);
             return {car.axle + from_axle, travel + turn * left_of(from_axle)};
         }
-        Place<Real> place;
         Standing<Real> car;
         Vec<Real> travel;
         Real turn;
     };
 
     /// A point that turns about a centre bends by the square of the turning rate times its distance.
-    Real bend(Vec<Real> p, Vec<Real> centre) const { return turn_ * turn_ * length(p - centre); }
+    Real bend(Vec<Real> p, Vec<Real> centre) const {
+        const Vec<Real> arm = p - centre;
+        return turn_ * turn_ * std::sqrt(dot(arm, arm));
+    }
 
     const Problem<Real>& problem_;
-    Path<Real> path_;
-    Real turn_;
+    Way<Real> way_;
+    Real direction_, turn_;
     std::vector<Real> body_, at_curb_, car_;  // how much each corner's path bends
     Real front_corner_ = 0, rear_corner_ = 0;
 };
@@ -242,8 +253,9 @@ private:
 /// where `holds` last held. Infinity if it is not over by `farthest`.
 template <class Real, class Safe, class Over, class Holds>
 Real first_end(Real farthest, Real forgiven, const Safe& safe, const Over& over, const Holds& holds) {
-    // Between two creeping steps a curve of a metre's radius rises by less than what is forgiven.
-    const Real longest = std::sqrt(forgiven), shortest = longest / 1000;
+    // Between two creeping steps a curve of a metre's radius rises by less than what is forgiven. Fine numbers begin so close
+    // that a dip with a kink at its bottom, where the car is parallel, is seen from a hundred-thousandth of that on.
+    const Real longest = std::sqrt(forgiven), shortest = longest / (sizeof(Real) > 8 ? Real(1e6L) : Real(1e3L));
     Real distance = 0, creep = shortest, last = 0;
     while (distance < farthest) {
         const Real step = safe(distance, farthest - distance);
@@ -275,10 +287,11 @@ Real first_end(Real farthest, Real forgiven, const Safe& safe, const Over& over,
 template <class Real>
 Real first_contact(const Problem<Real>& problem, const Path<Real>& path, Real farthest, Real allowed = 0) {
     const Moving<Real> moving(problem, path);
+    const Way<Real> way(path);
     return first_end(
         farthest, problem.forgiven, [&](Real distance, Real most) { return moving.free_for(distance, most, allowed); },
-        [&](Real distance) { return depth(problem, path.at(distance)) > allowed + problem.forgiven; },
-        [&](Real distance) { return depth(problem, path.at(distance)) <= allowed; });
+        [&](Real distance) { return depth(problem, way.at(distance)) > allowed + problem.forgiven; },
+        [&](Real distance) { return depth(problem, way.at(distance)) <= allowed; });
 }
 
 /// Nothing is deeper than `allowed` in anything anywhere on the way.
@@ -292,7 +305,8 @@ template <class Real>
 Real first_parked(const Problem<Real>& problem, const Path<Real>& path, Real farthest) {
     if (short_of_parked(problem, path.start) <= 0) return 0;
     const Moving<Real> moving(problem, path);
-    const auto parked = [&](Real distance) { return short_of_parked(problem, path.at(distance)) <= 0; };
+    const Way<Real> way(path);
+    const auto parked = [&](Real distance) { return short_of_parked(problem, way.at(distance)) <= 0; };
     return first_end(
         farthest, problem.forgiven, [&](Real distance, Real most) { return moving.short_for(distance, most, 0); },
         parked, [&](Real distance) { return !parked(distance); });
@@ -302,7 +316,8 @@ Real first_parked(const Problem<Real>& problem, const Path<Real>& path, Real far
 template <class Real>
 Real last_parked(const Problem<Real>& problem, const Path<Real>& path, Real farthest) {
     const Moving<Real> moving(problem, path);
-    const auto missing = [&](Real distance) { return short_of_parked(problem, path.at(distance)); };
+    const Way<Real> way(path);
+    const auto missing = [&](Real distance) { return short_of_parked(problem, way.at(distance)); };
     return std::min(farthest, first_end(
                                   farthest, problem.forgiven,
                                   [&](Real distance, Real most) { return moving.parked_for(distance, most); },
@@ -315,7 +330,8 @@ Real last_parked(const Problem<Real>& problem, const Path<Real>& path, Real fart
 template <class Real>
 Real least_short_of_parked(const Problem<Real>& problem, const Path<Real>& path, Real farthest) {
     constexpr int samples = 8;
-    const auto height = [&](Real distance) { return short_of_parked(problem, path.at(distance)); };
+    const Way<Real> way(path);
+    const auto height = [&](Real distance) { return short_of_parked(problem, way.at(distance)); };
     Real best = 0, least = height(0);
     for (int i = 1; i <= samples; ++i) {
         const Real here = height(farthest * Real(i) / samples);

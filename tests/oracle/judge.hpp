@@ -46,7 +46,7 @@ namespace judging {
 
 using Fine = long double;
 
-constexpr double edge_error = 1e-11;  // headings this close to a reported edge may go either way [rad]
+constexpr double edge_error = 1e-12;  // headings this close to a reported edge may go either way [rad]
 
 template <class... Words>
 std::string sentence(const Words&... words) {
@@ -282,13 +282,12 @@ private:
             ++verdict_.decided;
             verdict_.edges += edge;
             if (exact.count == range.direction_changes) return;
-            // What lies this close to an edge is a sliver that rounding may decide; both sides round. The ends of ranges of
-            // cars that are no rectangles are known less well.
-            const double near = asked_.outline.empty() ? edge_error : 10 * edge_error;
-            const double inward = heading + (heading == range.min ? near : -near);
+            // What lies this close to an edge is a sliver that rounding may decide; both sides round.
+            const double inward = heading + (heading == range.min ? edge_error : -edge_error);
             const auto parks_inward = [&] {
                 const Run<Fine> other = run(fine_, Fine(inward), range.direction_changes);
-                return range.max - range.min < 2 * near || (other.parked() && other.changes == range.direction_changes);
+                return range.max - range.min < 2 * edge_error ||
+                       (other.parked() && other.changes == range.direction_changes);
             };
             if (!exact.certain || (edge && parks_inward())) {
                 ++(edge ? verdict_.undecided_edges : verdict_.undecided);

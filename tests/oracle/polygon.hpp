@@ -109,9 +109,11 @@ struct Place {
 template <class Real>
 struct Standing {
     Vec<Real> axle, ahead;
+    Real heading;
 
     explicit Standing(const Place<Real>& place)
-        : axle{place.x, place.y}, ahead{std::cos(place.heading), std::sin(place.heading)} {}
+        : Standing({place.x, place.y}, {std::cos(place.heading), std::sin(place.heading)}, place.heading) {}
+    Standing(Vec<Real> axle_at, Vec<Real> towards, Real angle) : axle(axle_at), ahead(towards), heading(angle) {}
     Vec<Real> turned(Vec<Real> p) const { return p.x * ahead + p.y * left_of(ahead); }
     Vec<Real> at(Vec<Real> p) const { return axle + turned(p); }
 };
@@ -143,6 +145,30 @@ struct Path {
         return {start.x + radius * (std::sin(heading) - std::sin(start.heading)),
                 start.y - radius * (std::cos(heading) - std::cos(start.heading)), heading};
     }
+};
+
+/// The same places as Path::at(), for many of them: sine and cosine are found once for each.
+template <class Real>
+class Way {
+public:
+    explicit Way(const Path<Real>& path) : path_(path), start_(path.start) {}
+    Standing<Real> at(Real distance) const {
+        if (path_.straight()) {
+            const Real d = Real(path_.direction) * distance;
+            return {
+                {start_.axle.x + d * start_.ahead.x, start_.axle.y + d * start_.ahead.y}, start_.ahead, start_.heading};
+        }
+        const Real heading = start_.heading + Real(path_.direction) * distance / path_.radius;
+        const Vec<Real> ahead{std::cos(heading), std::sin(heading)};
+        return {{start_.axle.x + path_.radius * (ahead.y - start_.ahead.y),
+                 start_.axle.y - path_.radius * (ahead.x - start_.ahead.x)},
+                ahead,
+                heading};
+    }
+
+private:
+    Path<Real> path_;
+    Standing<Real> start_;
 };
 
 }  // namespace oracle

@@ -85,11 +85,26 @@ TEST(Proof, LeavesOutWhatRoundingDecides) {
     EXPECT_LT(undecided(tangent), 1e-10);
 }
 
+/// The cases of a test: SNUG_FIRST and SNUG_CASES choose a part. A soak says from time to time how far it is.
+struct Cases {
+    int first, end;
+    explicit Cases(int all)
+        : first(int(snug::test::number("SNUG_FIRST", 0))),
+          end(first + int(snug::test::number("SNUG_CASES", std::uint64_t(all)))) {}
+    static void tell(int done) {
+        if (!snug::test::is_set("SNUG_SOAK") || done % 100 != 0) return;
+        std::printf("%d cases\n", done);
+        std::fflush(stdout);
+    }
+};
+
 /// Proves each case and holds it against the oracle.
 void attack(Case (*make)(std::uint64_t seed, std::uint64_t index), std::uint64_t seed, int cases, int headings,
             int max_changes) {
     long looked = 0, brink = 0, wide = 0;
-    for (int i = 0; i < cases; ++i) {
+    const Cases chosen(cases);
+    for (int i = chosen.first; i < chosen.end; ++i) {
+        Cases::tell(i - chosen.first);
         const Case asked = make(seed, std::uint64_t(i));
         const ProvedRanges fewest = proved(asked, max_changes, Find::fewest);
         const int limit = fewest.ranges.empty() ? max_changes : fewest.ranges.front().changes + asked.more_changes;
@@ -102,8 +117,8 @@ void attack(Case (*make)(std::uint64_t seed, std::uint64_t index), std::uint64_t
         wide += undecided(fewest) > 1e-9;
         for (const std::string& failure : compare.failures) ADD_FAILURE() << "case " << i << ": " << failure;
     }
-    std::printf("%d cases, %ld headings, %ld on the brink, %ld cases with more than 1e-9 rad undecided\n", cases,
-                looked, brink, wide);
+    std::printf("%d cases, %ld headings, %ld on the brink, %ld cases with more than 1e-9 rad undecided\n",
+                chosen.end - chosen.first, looked, brink, wide);
 }
 
 /// Cars nobody builds: short fronts, long rears, small circles; slots up to 2.7 times as wide.
@@ -158,9 +173,10 @@ double shortest(const Case& asked, int changes, double& at) {
 
 /// Lengths tuned until some depth only just dips below zero: the range there must be found, and hold.
 TEST(Proof, FindsWhatOnlyJustParks) {
-    const int cases = snug::test::sample(60, 40000);
+    const Cases chosen(snug::test::sample(60, 40000));
     int tuned = 0;
-    for (int i = 0; i < cases; ++i) {
+    for (int i = chosen.first; i < chosen.end; ++i) {
+        Cases::tell(i - chosen.first);
         Case asked = i % 2 == 0 ? random_case(404, std::uint64_t(i)) : odd_case(404, std::uint64_t(i));
         Random random(std::uint64_t(i) + 9);
         const int changes = random.below(9);
@@ -182,7 +198,7 @@ TEST(Proof, FindsWhatOnlyJustParks) {
         for (const std::string& failure : compare.failures) ADD_FAILURE() << "tuned " << i << ": " << failure;
     }
     std::printf("%d slots tuned\n", tuned);
-    EXPECT_GT(tuned, cases / 10);
+    EXPECT_GT(tuned, (chosen.end - chosen.first) / 10);
 }
 
 TEST(Proof, LeavesOverWhatTheLimitOfMovesCutsOff) {

@@ -42,6 +42,7 @@ struct State {
     bool backward = true;
     bool first = true;
     double x_noise = 0.0, y_noise = 0.0;  ///< of the centre: how far it can be from a straight line in the heading
+    std::array<double, 3> turned = {infinity, infinity, infinity};  ///< in the last moves, the last one first, roughly
 };
 
 /// A stretch of headings, and what is known of it when its first moves are driven.

@@ -9,7 +9,7 @@ constexpr double narrowest = 1e-13;  ///< boxes are not cut further [rad]
 bool straight(const State& state, double ratio, double radius) {
     const double noise = state.x_noise + state.y_noise + radius * state.start.off.noise();
     const double along = std::abs(state.x.along) + std::abs(state.y.along) + radius * std::abs(state.start.off.along);
-    return noise < 0.02 * ratio * along;
+    return noise < 0.05 * ratio * along;
 }
 
 /// Over the t that are shift + ratio * (another), both known but for three roundings.
@@ -78,8 +78,11 @@ void cut(const Box& box, const Outcome& outcome, const Driver& driver, double ra
     add(box.min, at);
 }
 
-bool hopeless(const Box& box, const Form& quantity) {
+bool hopeless(const Box& box, const Failure& failure) {
     if (box.max - box.min <= narrowest) return true;
+    // The end of a range, most likely: it need not be known better.
+    if (failure.kind == Failure::at_root && box.max - box.min < 4e-12) return true;
+    const Form& quantity = failure.quantity;
     const double noise = quantity.noise();
     return (box.max - box.min < 4e-12 && std::abs(quantity.along) < 2.0 * noise) ||
            (box.max - box.min < 1e-10 && std::abs(quantity.along) < 0.1 * noise && std::abs(quantity.mid) < noise);

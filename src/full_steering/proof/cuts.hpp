@@ -12,6 +12,6 @@ namespace snug::detail::proof {
 void cut(const Box& box, const Outcome& outcome, const Driver& driver, double radius, std::vector<Box>& boxes);
 
 /// No cut would help: the box is narrow, and what could not be told depends on rounding more than on the heading.
-bool hopeless(const Box& box, const Form& quantity);
+bool hopeless(const Box& box, const Failure& failure);
 
 }  // namespace snug::detail::proof

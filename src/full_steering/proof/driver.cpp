@@ -28,7 +28,7 @@ Outcome Driver::follow(int n) {
         const std::size_t at = static_cast<std::size_t>(n);
         Outcome outcome;
         outcome.move = n;
-        if ((n == start || n % 4 == 0) && jams(n, outcome)) return outcome;
+        if ((n == start || n == 1 || n % 4 == 0) && n > 0 && jams(n, outcome)) return outcome;
         const After after = mover_.move(trail_[at], trail_[at + 1], outcome);
         if (after == After::moved) continue;
         if (outcome.what == Outcome::undecided && jams(n, outcome)) return outcome;

@@ -125,6 +125,18 @@ Turning turning(const Blocker& behind, const Blocker& ahead, double enough, bool
     return most;
 }
 
+/// Is it worth asking? The last turns, and how they shrink or grow, say roughly how much turning is to come.
+bool promising(const State& state, double far, int moves) {
+    const auto [last, before, earlier] = state.turned;
+    if (before == infinity) return last == infinity || last < 0.125 * far;
+    const double ratio = earlier < infinity ? last / earlier : 0.5;
+    const double enough = (ratio < 1.0 ? 0.7 : 0.1) * far;
+    double pair = last + before;
+    double all = 0.0;
+    for (int i = 0; i < moves && all < enough && pair > 1e-3 * far; i += 2) all += pair *= ratio;
+    return all < enough;
+}
+
 }  // namespace
 
 Jam::Jam(const ProofProblem& problem)
@@ -150,7 +162,7 @@ Jammed Jam::jams(const State& state, const Steering& backward, const Steering& f
     for (const Point& corner : frame_) height = std::max(height, corner.x * s + (corner.y - radius_) * c);
     const double far =
         std::max((cars.left_y + height - cars.apart - speed * wide) / speed, state.start.angle - wide - least_) - 1e-12;
-    if (!(far > 0.0)) return Jammed::no;
+    if (!(far > 0.0) || !promising(state, far, moves)) return Jammed::no;
     cars.most = state.start.angle + wide + angle_error;
     const auto try_turn = [&](double turn) {
         cars.turn = turn;

@@ -223,6 +223,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
     then.x = state.x;
     then.y = state.y;
     then.backward = state.backward;
+    then.turned = {difference(state.start, until).mid, state.turned[0], state.turned[1]};
     turn_over(then, until, steering.across);
     return After::moved;
 }

@@ -104,7 +104,7 @@ private:
                     note_range(box, outcome.move);
                     break;
                 case Outcome::undecided:
-                    if (hopeless(box, outcome.failure.quantity)) {
+                    if (hopeless(box, outcome.failure)) {
                         note_undecided(box, outcome.move);
                     } else {
                         cut(box, outcome, driver_, problem_.radius, boxes_);
@@ -185,8 +185,8 @@ double steepest_parked(const ProofProblem& problem, bool above) {
     const double size = size_of(problem.frame) + size_of(problem.at_curb);
     const double slack = 1e-12 * size;
     double steepest = problem.parked_heading;
-    // The height changes by less than the sizes per radian: steps that cannot miss a fit.
-    const double speed = 2.0 * size;
+    // The height changes by no more than the sizes per radian: steps that cannot miss a fit.
+    const double speed = size;
     while (steepest > 0.0) {
         const double over = height(steepest) - problem.width - problem.width_error;
         if (over <= slack) break;
@@ -196,9 +196,13 @@ double steepest_parked(const ProofProblem& problem, bool above) {
 }
 
 bool none_parks(const ProofProblem& problem, int max_changes, std::size_t& moves_left) {
-    // Narrower boxes would tell no more of slots that differ that much.
-    const double narrowest = std::max(1e-11, 0.01 * (problem.length_error + problem.width_error));
     constexpr int first_boxes = 16;
+    constexpr double narrow_enough = 1e-11;  ///< [rad]
+    // Many boxes narrower than this tell no more of slots that differ that much; a few may close in on a sliver.
+    const double blurred = 0.01 * (problem.length_error + problem.width_error);
+    constexpr int most_blurred = 20;
+    int seen_blurred = 0;
+    double slivers = 0.0;
     Driver driver(problem, max_changes);
     std::vector<Box> boxes;
     for (int i = first_boxes; i-- > 0;) {
@@ -213,8 +217,15 @@ bool none_parks(const ProofProblem& problem, int max_changes, std::size_t& moves
         const Outcome outcome = driver.look(box, max_changes);
         none = outcome.what != Outcome::parks;
         if (outcome.what != Outcome::undecided) continue;
-        none = box.max - box.min > narrowest;
-        if (none) cut(box, outcome, driver, problem.radius, boxes);
+        const double width = box.max - box.min;
+        if (width < blurred && ++seen_blurred > most_blurred) {
+            none = false;
+        } else if (width > narrow_enough) {
+            cut(box, outcome, driver, problem.radius, boxes);
+        } else {
+            slivers += width;
+            none = slivers <= most_undecided;
+        }
     }
     none = none && boxes.empty();
     moves_left -= std::min(moves_left, driver.moves());

@@ -59,8 +59,11 @@ struct ProofHints {
 ProvedRanges prove_ranges(const ProofProblem& problem, int max_changes, Find find, const ProofHints& hints = {},
                           const Progress& progress = {}, std::size_t most_moves = 20'000'000);
 
-/// Does nothing park with at most max_changes, in any slot within the errors of the problem's dimensions? False where that
-/// is not so, or cannot be told with so many moves; they are taken from `moves_left`.
+/// As wide may be in all what a proof leaves undecided. [rad]
+inline constexpr double most_undecided = 1e-9;
+
+/// Does nothing park with at most max_changes, in any slot within the errors of the problem's dimensions, but for slivers?
+/// False where that is not so, or cannot be told with so many moves; they are taken from `moves_left`.
 bool none_parks(const ProofProblem& problem, int max_changes, std::size_t& moves_left);
 
 /// How far below parallel, or above, a car can be parked, at most: where the frame fits between entry side and curb, up to

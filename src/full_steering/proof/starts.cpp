@@ -21,7 +21,7 @@ constexpr double narrowest_strip = 1e-10;      ///< strips are not halved furthe
 constexpr double narrowest_of_both = 1e-3;     ///< boxes are not halved further, as a part of the whole
 constexpr std::size_t moves_one_way = 50'000;  ///< 20 ms or so
 constexpr std::size_t moves_a_box = 20'000;
-constexpr int parts = 64;
+constexpr int steps_of_both = 64;
 
 bool all_park(Driver& driver, const Starts& starts, int changes, bool& none) {
     const Outcome outcome = driver.look(starts, changes);
@@ -87,13 +87,13 @@ void prove_starts(const ProofProblem& problem, double room, StartTolerance& tole
     tolerance.out = farthest(problem, tolerance, &Starts::out_min, &Starts::out_max, problem.width);
     if (!(tolerance.along > 0.0 && tolerance.out > 0.0)) return;
     int proved = 0;
-    int beyond = parts + 1;
+    int beyond = steps_of_both + 1;
     while (beyond - proved > 1) {
         const int middle = (proved + beyond) / 2;
-        (box_parks(problem, tolerance, static_cast<double>(middle) / parts) ? proved : beyond) = middle;
+        (box_parks(problem, tolerance, static_cast<double>(middle) / steps_of_both) ? proved : beyond) = middle;
     }
-    tolerance.both_along = tolerance.along * proved / parts;
-    tolerance.both_out = tolerance.out * proved / parts;
+    tolerance.both_along = tolerance.along * proved / steps_of_both;
+    tolerance.both_out = tolerance.out * proved / steps_of_both;
 }
 
 }  // namespace snug::detail

@@ -1,6 +1,7 @@
 #include "full_steering/proof/verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -42,13 +43,18 @@ void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found
 }
 
 ProofHints hints_from(const std::vector<CountedHeadings>& found, int changes) {
-    constexpr double beside = 1.5e-12;
+    // Beside the end of a range every box may be so wide, and no wider, that its square is as narrow as the one before.
+    constexpr std::array beside = {1.5e-12, 1e-7, 1e-4};
     constexpr double end = 1.57079632679489661923;
     ProofHints hints{changes, {}};
-    for (int i = 1; i < 16; ++i) hints.headings.push_back(end * i / 16);
-    for (const CountedHeadings& range : found)
-        hints.headings.insert(hints.headings.end(),
-                              {range.min - beside, range.min + beside, range.max - beside, range.max + beside});
+    for (const int i : {1, 2, 3, 4, 5, 6, 8, 11}) hints.headings.push_back(end * i / 16);
+    for (const CountedHeadings& range : found) {
+        const double wide = range.max - range.min;
+        for (const double away : beside) {
+            hints.headings.insert(hints.headings.end(), {range.min - away, range.max + away});
+            if (2.0 * away < wide) hints.headings.insert(hints.headings.end(), {range.min + away, range.max - away});
+        }
+    }
     std::sort(hints.headings.begin(), hints.headings.end());
     return hints;
 }
