@@ -193,9 +193,11 @@ export interface MinSlotRow {
     width: number | null;
     length: number | null;
     entry_heading?: number | null;
-    /** "fewest": parking is proved impossible in any shorter, or narrower, slot. */
+    /** "fewest", or with `prove`: parking is proved impossible in any shorter, or narrower, slot but those in `open`. */
     length_lower?: number;
     width_lower?: number;
+    /** With `prove`: sizes that park as well, or of which nothing is known. */
+    open?: { length_min?: number; length_max?: number; width_min?: number; width_max?: number }[];
 }
 
 /** A car of a public data sheet. */
