@@ -45,7 +45,7 @@ struct Asked {
                                             point)),
           lag(options.number("--lag", "S", "Of the wheels behind what they are told on the way\n[s] (0.1).",
                              {" s", 0.0, 10.0})),
-          slot_error(options.declared<Point>("--slot-error", "PLACE,SIZE",
+          slot_error(options.declared<Point>("--slot-error", "AT,SIZE",
                                              "Of the slot's place and size, seen from the start\n"
                                              "[m, m] (0,0); they shrink as the car comes near.",
                                              point)),

@@ -65,9 +65,10 @@ TEST(Drive, RefusesWhatIsImpossible) {
     refused("--slot-error 0.1", {"--slot-error"});
     refused("--slot-error 0.1,-1", {"error of the slot's size"});
     const Folder folder;
-    const std::string yard =
-        folder.with("yard.json", R"({"obstacles": [], "parked": {"pose": [-3, 0, 0], "tolerance": [0.5, 0.5, 0.1]}, )"
-                                 R"("start": [3, 0, 0]})");
+    const std::string yard = folder.with(
+        "yard.json",
+        R"({"obstacles": [[[5, 5], [6, 5], [6, 6]]], "parked": {"pose": [-3, 0, 0], "tolerance": [0.5, 0.5, 0.1]}, )"
+        R"("start": [3, 0, 0]})");
     expect_refusal(run("drive --car renault-zoe --scene " + yard + " --slot-error 0.1,0.1"),
                    {"--slot-error", "--scene"});
     refused("--steer moving", {"--steer", "standing"});

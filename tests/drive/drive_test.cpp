@@ -264,11 +264,17 @@ TEST(Drive, RunsAreWhatTheySay) {
         const DriveRun& run = answer.runs[i];
         parked += run.parked ? 1 : 0;
         ASSERT_FALSE(run.track.empty());
-        double deepest_overlap = -1e300;
-        for (const Pose& pose : run.track)
+        double deepest_overlap = -1e300, nearest = 1e300;
+        for (const Pose& pose : run.track) {
             deepest_overlap = std::max(deepest_overlap, depth_in_place(zoe(), place, pose));
+            nearest = std::min(nearest, distance_in_place(zoe(), place, pose));
+        }
         EXPECT_EQ(run.contact, deepest_overlap > 1e-12) << deepest_overlap;
-        EXPECT_LE(run.smallest_distance, -deepest_overlap + 1e-9);
+        if (run.contact) {
+            EXPECT_NEAR(run.smallest_distance, -deepest_overlap, 1e-9);
+        } else {
+            EXPECT_NEAR(run.smallest_distance, nearest, 1e-9);
+        }
         if (run.parked) {
             EXPECT_LE(short_of_parked(zoe(), place, run.track.back()), 1e-9);
             EXPECT_FALSE(run.contact);

@@ -48,6 +48,33 @@ inline double depth(const std::vector<Corner>& one, const std::vector<Corner>& o
     return least;
 }
 
+/// How far two polygons that are apart are from each other: a corner of one from an edge of the other.
+inline double distance_between(const std::vector<Corner>& one, const std::vector<Corner>& other) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto* polygon : {&one, &other}) {
+        for (std::size_t i = 0; i < polygon->size(); ++i) {
+            const Corner &a = (*polygon)[i], &b = (*polygon)[(i + 1) % polygon->size()];
+            const double x = b.x - a.x, y = b.y - a.y;
+            for (const Corner& p : polygon == &one ? other : one) {
+                const double part = std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y), 0.0, 1.0);
+                least = std::min(least, std::hypot(p.x - a.x - part * x, p.y - a.y - part * y));
+            }
+        }
+    }
+    return least;
+}
+
+inline double distance_in_place(const snug::Car& car, const snug::Place& place, const snug::Pose& pose) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto body = car_at(car, pose, false), wheels = car_at(car, pose, true);
+    for (const auto& piece : place.pieces()) {
+        std::vector<Corner> corners;
+        for (const snug::Point& p : piece.corners) corners.push_back({p.x, p.y});
+        least = std::min(least, distance_between(piece.low ? wheels : body, corners));
+    }
+    return least;
+}
+
 inline double depth_in_place(const snug::Car& car, const snug::Place& place, const snug::Pose& pose) {
     double deepest = -std::numeric_limits<double>::infinity();
     const auto body = car_at(car, pose, false), wheels = car_at(car, pose, true);

@@ -21,7 +21,7 @@ def test_runs_are_those_of_the_command():
     answer = snug.drive_runs(CAR, BAY, margin=0.05, runs=5, slot_error=(0.02, 0.01))
     said = command("drive", *BAY_ARGUMENTS, "--margin", "0.05", "--runs", "5", "--slot-error", "0.02,0.01")
     assert answer.to_json() == said and answer.to_dict()["runs"] == 5
-    assert pickle.loads(pickle.dumps(answer)) == answer and answer._repr_svg_().startswith("<svg")
+    assert pickle.loads(pickle.dumps(answer)) == answer and "<svg" in answer._repr_svg_()
     assert answer.parked == sum(run.parked for run in answer.runs) and len(answer.runs[0].track) > 10
     assert not snug.drive_runs(CAR, snug.Street(4.2, 1.8), runs=2).plannable
     with pytest.raises(snug.Error, match="rate"):
