@@ -45,7 +45,8 @@ double size_of(const MinSlotCase& asked, const snug::MinSlot& slot) {
 template <class Choose, class Attack>
 void attack_chosen(int usual, int full, std::uint64_t stream, const Choose& choose, const Attack& attack) {
     const std::uint64_t seed = snug::test::number("SNUG_SEED", 1) + stream, first = snug::test::number("SNUG_FIRST", 0);
-    const std::uint64_t cases = snug::test::number("SNUG_CASES", std::uint64_t(snug::test::sample(usual, full)));
+    const std::uint64_t cases =
+        snug::test::number("SNUG_CASES", std::uint64_t(snug::test::sample(usual, full, std::max(3, usual / 10))));
     std::atomic<std::uint64_t> next{0};
     std::mutex mutex;
     const auto work = [&] {
