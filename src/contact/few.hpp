@@ -15,7 +15,7 @@ class Few {
     static_assert(std::is_aggregate_v<T> && std::is_trivially_copyable_v<T>);
 
 public:
-    Few() {}
+    Few() {}  // a default one would clear all its bytes where it is made by {}; NOLINT(modernize-use-equals-default)
     Few(const Few& other) : size_(other.size_), many_(other.many_) { copy_own(other); }
     Few& operator=(const Few& other) {
         size_ = other.size_;

@@ -185,7 +185,11 @@ function run(snug: Snug, questions: Asker) {
         const link = `#${toLink(inputs)}`;
         if (link === linked) return;
         linked = link;
-        soonLink(() => history.replaceState(null, "", link));
+        // A link that was followed meanwhile has the last word.
+        const before = location.hash;
+        soonLink(() => {
+            if (location.hash === before) history.replaceState(null, "", link);
+        });
     }
 
     const near = (obstacles: Obstacle[]) => (pose: Pose) => {

@@ -29,7 +29,15 @@ export const type = async (page, field, value) => {
 };
 /** Another link on a page that is open already. */
 export const follow = async (page, hash) => {
-    await page.evaluate((to) => (location.hash = to), hash);
+    await page.evaluate(
+        (to) =>
+            new Promise((done) => {
+                if (location.hash === to) return done();
+                window.addEventListener("hashchange", () => done(), { once: true });
+                location.hash = to;
+            }),
+        hash,
+    );
     await settled(page);
 };
 
