@@ -114,6 +114,14 @@ std::string moves(const ParkQuestion& question, const ParkAnswer& answer) {
     return "\nWhat to do (full steering: " + full + kept + ")\n" + table(rows, "rllrl");
 }
 
+/// A bay whose length and width were taken for one another is likely where the car ends across it.
+std::string across(const ParkQuestion& question, const Pose& goal) {
+    if (!question.street || question.leaving) return "";
+    if (std::abs(off(goal.heading - parked_heading(question.scene.place))) < 45.0) return "";
+    return "\nIt ends across the slot: --length is measured along the parked car, --width across it;\n"
+           "--parked-heading DEG asks for a heading nearer to the parked one.\n";
+}
+
 std::string result(const ParkQuestion& question, const ParkAnswer& answer) {
     const bool stays = answer.maneuver->moves.empty();
     const Pose goal = stays ? question.scene.start : answer.maneuver->goal();
@@ -125,7 +133,7 @@ std::string result(const ParkQuestion& question, const ParkAnswer& answer) {
     for (std::vector<std::string>& row : distances(question, goal)) rows.push_back(std::move(row));
     rows.push_back({"angle", fixed(std::abs(off(goal.heading - parked_heading(question.scene.place))), 3) +
                                  (question.leaving ? " deg off the street's heading" : " deg off the parked heading")});
-    return "\nHow it ends\n" + table(rows, "ll");
+    return "\nHow it ends\n" + table(rows, "ll") + across(question, goal);
 }
 
 /// How near the car comes to anything on the way.

@@ -53,6 +53,14 @@ void expect_connected(const Json& json) {
     EXPECT_NEAR(maneuver["length"].get<double>(), length, 1e-9);
 }
 
+TEST(ParkCommand, SaysThatItEndsAcrossABayWhoseSidesWereTakenForOneAnother) {
+    const Result across = run(park + "--length 2.3 --width 5 --road 4 --angle 90");
+    ASSERT_EQ(across.exit_code, 0) << across.err;
+    EXPECT_NE(across.out.find("ends across the slot: --length is measured along the parked car"), across.out.npos)
+        << across.out;
+    EXPECT_EQ(run(bay).out.find("ends across"), std::string::npos);
+}
+
 TEST(ParkCommand, SteersOnlyWhileItRolls) {
     const Folder folder;
     const std::string file = folder.file("way.json");
