@@ -45,13 +45,13 @@ bool left_out(const snug::Answer& answer, double heading) {
     return false;
 }
 
-struct Tally {
+struct Runs {
     int slots = 0;
     long runs = 0, parked = 0;
 };
 
 /// One heading, driven: what comes out must be what was said of it.
-void compare(const Edge& at, const snug::Answer& answer, double heading, int max_changes, Tally& tally) {
+void compare(const Edge& at, const snug::Answer& answer, double heading, int max_changes, Runs& tally) {
     if (heading < 0.0 || heading > std::numbers::pi / 2 || left_out(answer, heading)) return;
     const snug::MaxSteerRun run = max_steer(snug::Car(at.car), snug::Slot({.length = at.length, .width = at.width}),
                                             heading, {.max_changes = max_changes});
@@ -69,7 +69,7 @@ void compare(const Edge& at, const snug::Answer& answer, double heading, int max
     ADD_FAILURE() << "parks with " << driven << ", said to with " << said << ": " << line(at, heading, max_changes);
 }
 
-void attack(Random& random, Tally& tally) {
+void attack(Random& random, Runs& tally) {
     Edge at;
     at.car.wheelbase = random.between(0.9, 4.0);
     at.car.width = random.between(1.0, 2.5);
@@ -108,7 +108,7 @@ void attack(Random& random, Tally& tally) {
 }
 
 TEST(Edges, SingleRunsDoWhatIsSaid) {
-    Tally tally;
+    Runs tally;
     const int first = int(snug::test::number("SNUG_FIRST", 0));
     const int slots = int(snug::test::number("SNUG_CASES", std::uint64_t(snug::test::sample(200, 20'000))));
     for (int i = first; i < first + slots && !testing::Test::HasFailure(); ++i) {
@@ -146,7 +146,7 @@ TEST(Edges, ATangentialStartIsStuckWhereItWouldMoveIn) {
             entry(snug::Car(one.at.car), snug::Slot({.length = one.at.length, .width = one.at.width}), options);
         ASSERT_EQ(answer.ranges.size(), 1U);
         EXPECT_NEAR(answer.ranges[0].max, one.max, 2e-12);
-        Tally tally;
+        Runs tally;
         for (int i = -2000; i < 2000; ++i) compare(one.at, answer, one.max + i * 1e-10 / 3.0, 1, tally);
         EXPECT_GT(tally.parked, 100);
         EXPECT_LT(tally.parked, tally.runs * 2 / 3);
