@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -73,12 +74,20 @@ double deepest(const Car& car, const Place& place, const Pose& start, const std:
     return worst;
 }
 
+/// In a soak ten million poses and more: 20,000 in each of the random places that have room for the margin. SNUG_FIRST=I begins with
+/// the place I and SNUG_CASES=N ends after N, so that a soak can be had in parts.
 TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
-    int driven = 0, parked = 0, escaped = 0, overlapped = 0, stuck = 0;
-    for (int i = 0; i < std::max(4, snug::test::sample(6, 60)); ++i) {
+    int driven = 0, parked = 0, escaped = 0, overlapped = 0, stuck = 0, places = 0;
+    std::size_t most_looked = 0;
+    double slowest = 0.0, sum = 0.0;
+    std::string slowest_at, most_at;
+    const std::uint64_t first = snug::test::number("SNUG_FIRST", 0);
+    const std::uint64_t last =
+        first + snug::test::number("SNUG_CASES", std::uint64_t(std::max(4, snug::test::sample(6, 700))));
+    for (std::uint64_t i = first; i < last; ++i) {
         SCOPED_TRACE(i);
-        const Case one = random_case(static_cast<std::uint64_t>(i));
-        Random random(static_cast<std::uint64_t>(i) + 77);
+        const Case one = random_case(i);
+        Random random(i + 77);
         AssistantOptions options;
         options.margin = random.between(0.0, 0.1);
         options.heading = one.start.heading;
@@ -88,6 +97,8 @@ TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
         } catch (const snug::Error&) {
             continue;  // too small for the margin, or too large for a map: told in a sentence
         }
+        ++places;
+        snug::AssistantMemory memory(*assistant);
         const auto& region = one.place.region();
         double x_min = region[0].x, x_max = x_min, y_min = region[0].y, y_max = y_min;
         for (const Point& p : region) {
@@ -95,40 +106,56 @@ TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
             y_min = std::min(y_min, p.y), y_max = std::max(y_max, p.y);
         }
         for (int k = 0; k < std::max(100, snug::test::sample(300, 20000)); ++k) {
-            const Pose pose = {random.between(x_min - 1.0, x_max + 1.0), random.between(y_min - 1.0, y_max + 1.0),
-                               one.start.heading + random.between(-3.5, 3.5)};
-            const Instruction told = assistant->next(
-                pose, random.chance(0.5)
-                          ? std::nullopt
-                          : std::optional(random.chance(0.5) ? Direction::forward : Direction::backward));
-            const std::string what = one.described + "\nat " + std::to_string(pose.x) + ", " + std::to_string(pose.y) +
-                                     ", " + std::to_string(pose.heading);
+            // Any pose at all, or one of a car that is on its way.
+            const double beyond = random.chance(0.5) ? 1.0 : 0.0, turned = beyond > 0.0 ? 3.5 : 1.4;
+            const Pose pose = {random.between(x_min - beyond, x_max + beyond),
+                               random.between(y_min - beyond, y_max + beyond),
+                               one.start.heading + random.between(-turned, turned)};
+            const std::optional<Direction> driven_last =
+                random.chance(0.5) ? std::nullopt
+                                   : std::optional(random.chance(0.5) ? Direction::forward : Direction::backward);
+            // Of the processor, whatever else it does.
+            const std::clock_t begin = std::clock();
+            const Instruction& told = assistant->next(pose, driven_last, memory);
+            const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+            sum += took;
+            const auto where = [&] {
+                return "\nplace " + std::to_string(i) + " at " + std::to_string(pose.x) + ", " +
+                       std::to_string(pose.y) + ", " + std::to_string(pose.heading);
+            };
+            if (took > slowest) slowest = took, slowest_at = where();
+            if (memory.poses_looked_at() > most_looked) most_looked = memory.poses_looked_at(), most_at = where();
             switch (told.what) {
                 case Instruction::stuck: ++stuck; continue;
                 case Instruction::parked:
                     ++parked;
-                    EXPECT_LE(short_of_parked(one.car, one.place, pose), 1e-7) << what;
+                    EXPECT_LE(short_of_parked(one.car, one.place, pose), 1e-7) << where();
                     continue;
                 case Instruction::escape: ++escaped; break;
                 case Instruction::move: ++driven; break;
                 case Instruction::overlap: {
                     ++overlapped;
                     const double deep = depth_in_place(one.car, one.place, pose);
-                    EXPECT_GT(deep, 0.0) << what;
-                    EXPECT_LE(deepest(one.car, one.place, pose, told.moves), deep + 1e-6) << what;
-                    EXPECT_LT(depth_in_place(one.car, one.place, told.moves.back().end), deep) << what;
+                    EXPECT_GT(deep, 0.0) << where();
+                    EXPECT_LE(deepest(one.car, one.place, pose, told.moves), deep + 1e-6) << where();
+                    EXPECT_LT(depth_in_place(one.car, one.place, told.moves.back().end), deep) << where();
                     continue;
                 }
             }
-            ASSERT_FALSE(told.moves.empty()) << what;
-            EXPECT_EQ(told.moves.front().start, pose) << what;
+            ASSERT_FALSE(told.moves.empty()) << where();
+            EXPECT_EQ(told.moves.front().start, pose) << where();
             for (const Move& move : told.moves) {
-                EXPECT_EQ(move.direction, told.moves.front().direction) << what;
-                EXPECT_LE(std::abs(move.steering_angle), one.car.max_steer() * (1.0 + 1e-12)) << what;
+                EXPECT_EQ(move.direction, told.moves.front().direction) << where();
+                EXPECT_LE(std::abs(move.steering_angle), one.car.max_steer() * (1.0 + 1e-12)) << where();
             }
-            EXPECT_LE(deepest(one.car, one.place, pose, told.moves), 1e-7) << what;
+            EXPECT_LE(deepest(one.car, one.place, pose, told.moves), 1e-7) << where();
         }
     }
+    std::cout << driven + parked + escaped + overlapped + stuck << " poses in " << places << " places: " << driven
+              << " drive, " << parked << " parked, " << escaped << " escape, " << overlapped << " overlap, " << stuck
+              << " stuck; next() took " << 1e6 * sum / (driven + parked + escaped + overlapped + stuck)
+              << " us of the processor on average, at most " << 1e6 * slowest << " us at" << slowest_at
+              << "\nand looked at most at " << most_looked << " poses at" << most_at << "\n";
     EXPECT_GT(driven, 0);
     EXPECT_GT(overlapped, 0);
     EXPECT_GT(stuck, 0);
