@@ -418,7 +418,11 @@ RollingAnswer on_map(const ParkMap& map, double clearance, const Pose& start, do
     for (const double times : {4.0, 2.0, 1.0}) searches.push_back(search(times, 2, false));
     searches.push_back(search(1.0, 4, false));
     with(std::min(fewest + options.most_more, options.max_changes), options.most_work, searches, answer.maneuver);
-    if (answer.maneuver || answer.cancelled) return answer;
+    if (answer.maneuver) return answer;
+    if (answer.cancelled) {
+        answer.standing = in_pieces(*standing);
+        return answer;
+    }
     searches.clear();
     searches.push_back(search(1.0, 2, true));
     with(std::min(fewest + more_with_standing, options.max_changes), options.most_work / 4, searches, answer.standing);

@@ -14,12 +14,6 @@
 
 namespace snug::python {
 
-namespace {
-
-enum class Steer { standing, moving };
-
-}  // namespace
-
 template <>
 std::vector<std::pair<std::string_view, Steer>> words() {
     return {{"standing", Steer::standing}, {"moving", Steer::moving}};

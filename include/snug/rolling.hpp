@@ -66,6 +66,9 @@ struct RollingManeuver {
 /// would take less than 0.001 m/s.
 Trajectory rolling_trajectory(const RollingManeuver& maneuver, const MotionLimits& limits = {});
 
+/// When the steering may turn: while the car stands, or only while it rolls.
+enum class Steer { standing, moving };
+
 struct RollingOptions {
     double clearance = 0.0;  ///< grows the frame for contacts [m]
     /// The least speed at which the car can roll steadily while its steering turns at its rate [m/s]: the slower it rolls, the
@@ -76,7 +79,7 @@ struct RollingOptions {
     int most_more = 6;           ///< direction changes that it may take more than with steering at standstill
     int max_changes = 200;       ///< and in all
     /// Pieces of a way looked at before it gives up: counted, so that the answer is the same on every machine.
-    int most_work = 500'000;
+    int most_work = 1'000'000;
     double spacing = 0.0;  ///< of the map that is planned on [m]; 0: its usual one
     /// Told from time to time; returning false gives up.
     std::function<bool()> progress = {};
