@@ -252,12 +252,12 @@ std::string where_it_steers(const ParkQuestion& question, const RollingManeuver&
 std::string park_text(const ParkQuestion& question, const RollingAnswer& answer) {
     if (!answer.maneuver) {
         const std::string begins = name(question.car) + " may " + (question.leaving ? "leave " : "park ") +
-                                   into_what(question) + ", but no\nway was found that steers only while it rolls" +
-                                   (answer.cancelled ? ", within the time given; " : "; ") +
-                                   "with steering at standstill\n";
-        return answer.standing ? begins + changes(answer.standing->direction_changes()) + " will do:\n" +
-                                     where_it_steers(question, *answer.standing)
-                               : begins + "none is known either.\n";
+                                   into_what(question) + ",\nbut no way was found " +
+                                   (answer.cancelled ? "in the time given " : "") +
+                                   "that steers only while it rolls.\n";
+        if (!answer.standing) return begins + "With steering at standstill none is known either.\n";
+        return begins + "With steering at standstill " + changes(answer.standing->direction_changes()) + " will do.\n" +
+               where_it_steers(question, *answer.standing);
     }
     const RollingManeuver& maneuver = *answer.maneuver;
     const int more = maneuver.direction_changes() - answer.standing_changes.value_or(maneuver.direction_changes());

@@ -30,7 +30,6 @@ constexpr int followed_per_count = 300;
 constexpr int way_of_the_map = 20;                  ///< what it costs to look one up, in pieces
 constexpr double worth_a_change_of_steering = 0.1;  ///< of length [m]
 constexpr double worth_standing = 5.0;              ///< of length, to turn the steering at standstill once [m]
-constexpr int more_with_standing = 1;               ///< direction changes that a way may take more then
 
 /// Where the car can be, and how it came there.
 struct Node {
@@ -417,7 +416,8 @@ RollingAnswer on_map(const ParkMap& map, double clearance, const Pose& start, do
     std::vector<std::pair<double, RollingSearch>> searches;
     for (const double times : {4.0, 2.0, 1.0}) searches.push_back(search(times, 2, false));
     searches.push_back(search(1.0, 4, false));
-    with(std::min(fewest + options.most_more, options.max_changes), options.most_work, searches, answer.maneuver);
+    const int most = std::min(fewest + options.most_more, options.max_changes);
+    with(most, options.most_work, searches, answer.maneuver);
     if (answer.maneuver) return answer;
     if (answer.cancelled) {
         answer.standing = in_pieces(*standing);
@@ -425,7 +425,7 @@ RollingAnswer on_map(const ParkMap& map, double clearance, const Pose& start, do
     }
     searches.clear();
     searches.push_back(search(1.0, 2, true));
-    with(std::min(fewest + more_with_standing, options.max_changes), options.most_work / 4, searches, answer.standing);
+    with(most, options.most_work / 4, searches, answer.standing);
     if (!answer.standing) answer.standing = in_pieces(*standing);
     return answer;
 }
@@ -438,8 +438,18 @@ RollingAnswer park_rolling(const Car& car, const Place& place, const Pose& start
     how.spacing = options.spacing;
     how.clearance = options.clearance + kept;
     how.heading = start.heading;
-    how.progress = options.progress;
-    return on_map(ParkMap(car, place, how), options.clearance, start, 0.0, options);
+    bool given_up = false;
+    how.progress = [&] { return !(given_up = options.progress && !options.progress()); };
+    std::optional<ParkMap> map;
+    try {
+        map.emplace(car, place, how);
+    } catch (const Error&) {
+        if (!given_up) throw;
+        RollingAnswer nothing;
+        nothing.cancelled = true;
+        return nothing;
+    }
+    return on_map(*map, options.clearance, start, 0.0, options);
 }
 
 RollingAnswer park_rolling(const ParkMap& map, const Pose& start, double steering_angle,
