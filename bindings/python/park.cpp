@@ -14,11 +14,6 @@
 
 namespace snug::python {
 
-template <>
-std::vector<std::pair<std::string_view, Steer>> words() {
-    return {{"standing", Steer::standing}, {"moving", Steer::moving}};
-}
-
 namespace {
 
 void define_places(py::module_& module) {
