@@ -101,7 +101,7 @@ function run(snug: Snug, questions: Asker) {
         road: (by) => inputs.road !== null && change({ ...inputs, road: within("road", inputs.road + by) }),
         grabbed: () => player.pause(),
         released: () => {
-            parking.look();
+            parking.released();
             refresh();
         },
     });
@@ -119,7 +119,6 @@ function run(snug: Snug, questions: Asker) {
     const parking = createParking(snug, questions, {
         changed: refresh,
         busy: () => street.busy(),
-        still: () => !street.busy() && !drawing.busy() && !player.running(),
         slice: (heading) => (byId<HTMLInputElement>("show-map").checked ? street.slice(heading, street.busy() ? 10 : 5) : null),
     });
     const maps = createMaps(questions, (extraLength, extraWidth) => {
@@ -209,7 +208,7 @@ function run(snug: Snug, questions: Asker) {
         const { state, map } = parking;
         const { car } = asked();
         const swept = map.state();
-        const found: Pick<Maneuver, "moves"> | null | undefined = state.exact?.maneuver ?? state.way;
+        const found: Pick<Maneuver, "moves"> | null | undefined = parking.way();
         const shown = found && found.moves.length > 0 ? found : null;
         const way = shown ? track(shown, "right") : null;
         const { length, width, angle, road, side, enter, scene } = inputs;

@@ -10,8 +10,6 @@ interface Listener {
     changed(): void;
     /** Something is being dragged: the exact search waits. */
     busy(): boolean;
-    /** Nothing is dragged or played. */
-    still(): boolean;
     /** What of the street is in the picture, and how finely it is painted there. */
     slice(heading: number): Slice | null;
 }
@@ -28,9 +26,13 @@ export interface Parking {
     /** Of the last slice that came. */
     painted: { slice: Slice; counts: NonNullable<Seen["counts"]> } | null;
     exact: ParkAnswer | null;
+    /** Proved a moment before that; the way is any with so few changes. */
+    proved: ParkAnswer | null;
     soFar: FewestProgress | null;
     trouble: string;
 }
+
+const changes = (way: Maneuver | null) => way?.direction_changes ?? Infinity;
 
 export function createParking(snug: Snug, questions: Asker, listener: Listener) {
     const state: Parking = {
@@ -41,20 +43,22 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         lookedAt: null,
         painted: null,
         exact: null,
+        proved: null,
         soFar: null,
         trouble: "",
     };
     let place = "";
     let asked = "";
+    let askedExact = "";
     let wanted: Inputs | null = null;
     /** The slice that came last. */
     let painted = "";
     const soonExact = later(40);
 
     const map = createStreetMap(snug, questions, {
-        still: listener.still,
         ready: () => {
             painted = "";
+            lookUp();
             look();
             listener.changed();
         },
@@ -81,6 +85,18 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         map.look({ pose: state.pose, slice: JSON.stringify(slice) === painted ? null : slice });
     };
 
+    /** In the page's own map, if that is of this place. */
+    const lookUp = () => {
+        const seen = map.at(state.pose);
+        if (seen) Object.assign(state, { ...seen, lookedAt: state.pose });
+    };
+
+    /** Nothing is dragged any more. */
+    const released = () => {
+        look();
+        soonExact(askExact, 0);
+    };
+
     const caseOf = (inputs: Inputs) => ({
         car: inputs.car,
         place: placeOf(inputs),
@@ -93,11 +109,13 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             soonExact(askExact);
             return;
         }
-        const mine = asked;
+        if (askedExact === asked) return;
+        const mine = (askedExact = asked);
         questions.ask("park", "park", { ...caseOf(wanted), start: state.pose }, (told) => {
             if (mine !== asked) return;
             if ("error" in told) state.trouble = told.error;
             else if ("so_far" in told) state.soFar = told.so_far;
+            else if ("proved" in told) state.proved = told.proved;
             else state.exact = told.answer;
             listener.changed();
         });
@@ -133,10 +151,9 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         }
         asked = question;
         wanted = inputs;
-        Object.assign(state, { pose: inputs.pose ?? usualPose(inputs, state.scene), exact: null, soFar: null, trouble: "" });
+        Object.assign(state, { pose: inputs.pose ?? usualPose(inputs, state.scene), exact: null, proved: null, soFar: null, trouble: "" });
         questions.abandon("park");
-        const seen = map.at(state.pose);
-        if (seen) Object.assign(state, { ...seen, lookedAt: state.pose });
+        lookUp();
         look();
         soonExact(askExact);
         return true;
@@ -147,5 +164,11 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         const slice = listener.slice(state.pose.heading);
         if (slice && !map.looking() && JSON.stringify(slice) !== painted) look();
     };
-    return { state, ask, again, look, map };
+    /** What is shown: never one with more changes than another that is known. */
+    const way = (): Maneuver | null | undefined => {
+        const { exact, proved } = state;
+        if (exact) return exact.maneuver;
+        return proved?.maneuver && changes(proved.maneuver) < changes(state.way) ? proved.maneuver : state.way;
+    };
+    return { state, ask, again, released, way, map };
 }

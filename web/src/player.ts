@@ -201,5 +201,5 @@ export function createPlayer(show: (pose: Pose, steer: number) => void) {
         loadedAt = asked;
         goTo(0);
     };
-    return { load, place, pause: halt, running: () => running };
+    return { load, place, pause: halt };
 }
