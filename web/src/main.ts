@@ -233,6 +233,7 @@ function run(snug: Snug, questions: Asker) {
         if (!shown || (!state.exact && state.lookedAt !== state.pose)) street.showCar(state.pose, 0);
         parking.again();
         sayPark(inputs, state, swept?.current ? swept : null);
+        byId("legend-entries").toggleAttribute("hidden", !!scene || angle > 0);
         byId("street-legend").toggleAttribute("hidden", !byId<HTMLInputElement>("show-map").checked);
     }
 

@@ -32,7 +32,8 @@ export interface Parking {
     trouble: string;
 }
 
-const changes = (way: Maneuver | null) => way?.direction_changes ?? Infinity;
+type Counted = Pick<Maneuver, "moves" | "direction_changes">;
+const changes = (way: Counted | null) => way?.direction_changes ?? Infinity;
 
 export function createParking(snug: Snug, questions: Asker, listener: Listener) {
     const state: Parking = {
@@ -165,7 +166,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         if (slice && !map.looking() && JSON.stringify(slice) !== painted) look();
     };
     /** What is shown: never one with more changes than another that is known. */
-    const way = (): Maneuver | null | undefined => {
+    const way = (): Counted | null | undefined => {
         const { exact, proved } = state;
         if (exact) return exact.maneuver;
         return proved?.maneuver && changes(proved.maneuver) < changes(state.way) ? proved.maneuver : state.way;

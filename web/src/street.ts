@@ -49,7 +49,6 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
     const drawn = pen(view);
     const { at, polygon, path, stand } = drawn;
     let size = { width: 0, height: 0 };
-    let drag: { what: Drag; last: Point; pose: Pose; offset: Point } | null = null;
     let measuresLeft = false;
     let shown: { pose: Pose; steer: number } | null = null;
 
@@ -266,7 +265,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         const parts: SVGElement[] = [];
         const lines: SVGElement[] = [];
         if (s.track && s.track.legs.length > 0) {
-            const poses = s.track.legs.map((leg) => samples(s.car, leg, drag ? 0.12 : 0.03));
+            const poses = s.track.legs.map((leg) => samples(s.car, leg, drag() ? 0.12 : 0.03));
             if (s.swept) parts.push(svg("path", { class: "swept", d: poses.flat().map((pose) => polygon(carCorners(s.car, pose))).join("") }));
             const turns = s.track.legs.filter((leg, i) => s.track!.legs[i + 1] && s.track!.legs[i + 1]!.backward !== leg.backward);
             parts.push(svg("path", { class: "ghosts", d: turns.map((leg) => polygon(carCorners(s.car, leg.end))).join("") }));
@@ -323,7 +322,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
                 measures.push(dimension(ends[0], ends[1], [0, Math.min(0.55 * view.scale, size.height - ends[0][1] - 10)], `${street.length.toFixed(3)} m`));
             }
             // Where the car is not.
-            if (!drag) measuresLeft = at(s.pose)[0] > size.width / 2;
+            if (!drag()) measuresLeft = at(s.pose)[0] > size.width / 2;
             const x = measuresLeft ? 26 : size.width - 22;
             measures.push(dimension([x, at({ x: 0, y: deepest })[1]], [x, at({ x: 0, y: 0 })[1]], [0, 0], `${(street.angle === 0 ? street.width : slot.y_max - slot.y_min).toFixed(3)} m`));
             if (street.road !== null) measures.push(dimension([x, at({ x: 0, y: 0 })[1]], [x, at({ x: 0, y: out * street.road })[1]], [0, 0], `${street.road.toFixed(2)} m`));
@@ -348,7 +347,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
     const render = (next: StreetScene) => {
         scene = next;
         if (size.width === 0) return;
-        if (!drag) fit(next);
+        if (!drag()) fit(next);
         drawGround(next);
         paint(next);
         drawEntries(next);
@@ -386,14 +385,13 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
 
     // --- dragging
     const grab = (what: Drag, last: Point) => {
-        if (!scene) return false;
+        if (!scene) return null;
         const pose = shown?.pose ?? scene.pose;
-        drag = { what, last, pose, offset: { x: pose.x - last.x, y: pose.y - last.y } };
         handles.grabbed();
-        return true;
+        return { what, last, pose, offset: { x: pose.x - last.x, y: pose.y - last.y } };
     };
-    const move = (p: Point) => {
-        if (!drag || !scene) return;
+    const move = (drag: NonNullable<ReturnType<typeof grab>>, p: Point) => {
+        if (!scene) return;
         const { what: held, offset, pose } = drag;
         if (held === "car") {
             handles.pose(tidyPose({ x: p.x + offset.x, y: p.y + offset.y, heading: pose.heading }));
@@ -440,11 +438,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         }
         return true;
     };
-    const release = () => {
-        drag = null;
-        handles.released();
-    };
-    createHandles(root, drawn.ground, gripOf, { grab, move, release, key });
+    const drag = createHandles(root, drawn.ground, gripOf, { grab, move, released: () => handles.released(), key });
 
     watchSize(root, (now) => {
         size = now;
@@ -455,7 +449,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         handles.released();
     });
 
-    return { render, showCar, slice, busy: () => drag !== null };
+    return { render, showCar, slice, busy: () => drag() !== null };
 }
 
 const channels = new Map<string, [number, number, number]>();
