@@ -299,7 +299,7 @@ function run(snug: Snug, questions: Asker) {
     document.documentElement.dataset.ready = String(Math.round(performance.now()));
     // For the tests of the page.
     Object.assign(window, {
-        snugPage: { snug, frameTimes, inputs: now, asked, answer, parking: parking.state, map: parking.map },
+        snugPage: { snug, frameTimes, inputs: now, asked, answer, parking: parking.state, times: parking.times, map: parking.map },
     });
 }
 

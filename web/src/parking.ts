@@ -55,8 +55,23 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
     /** The slice that came last. */
     let painted = "";
     const soonExact = later(40);
+    /** How long after the last change there was an answer, and after that and the end of a drag a proved way, for the bench. [ms] */
+    const times = { answers: [] as number[], proofs: [] as number[] };
+    let [since, sinceStill] = [NaN, NaN]; // not a number: told already
+    const tellTimes = () => {
+        const now = performance.now();
+        if (since && state.lookedAt === state.pose) {
+            times.answers.push(now - since);
+            since = NaN;
+        }
+        if (sinceStill && !listener.busy() && (state.exact ?? state.proved ?? (state.way && state.bounds?.proved))) {
+            times.proofs.push(now - sinceStill);
+            sinceStill = NaN;
+        }
+    };
 
     const map = createStreetMap(snug, questions, {
+        busy: listener.busy,
         ready: () => {
             painted = "";
             lookUp();
@@ -72,6 +87,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
                 state.painted = { slice, counts };
                 painted = JSON.stringify(slice);
             }
+            tellTimes();
             listener.changed();
         },
         failed: (sentence) => {
@@ -90,10 +106,14 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
     const lookUp = () => {
         const seen = map.at(state.pose);
         if (seen) Object.assign(state, { ...seen, lookedAt: state.pose });
+        tellTimes();
     };
 
     /** Nothing is dragged any more. */
     const released = () => {
+        if (sinceStill) sinceStill = performance.now();
+        tellTimes();
+        map.takeOver();
         look();
         soonExact(askExact, 0);
     };
@@ -118,6 +138,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             else if ("so_far" in told) state.soFar = told.so_far;
             else if ("proved" in told) state.proved = told.proved;
             else state.exact = told.answer;
+            tellTimes();
             listener.changed();
         });
     };
@@ -148,10 +169,11 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             place = key;
             state.scene = scene;
             map.set(its);
-            state.bounds = null;
+            Object.assign(state, { bounds: null, lookedAt: null });
         }
         asked = question;
         wanted = inputs;
+        since = sinceStill = performance.now();
         Object.assign(state, { pose: inputs.pose ?? usualPose(inputs, state.scene), exact: null, proved: null, soFar: null, trouble: "" });
         questions.abandon("park");
         lookUp();
@@ -171,5 +193,5 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         if (exact) return exact.maneuver;
         return proved?.maneuver && changes(proved.maneuver) < changes(state.way) ? proved.maneuver : state.way;
     };
-    return { state, ask, again, released, way, map };
+    return { state, times, ask, again, released, way, map };
 }

@@ -1,6 +1,6 @@
 // The map of the street, from every pose: swept in a worker, coarse first and then finer, and looked up there. Two workers
-// take turns: one answers with the newest map while the other sweeps the next. The coarse one is handed over to the page, which
-// looks it up in the frame that asks.
+// take turns: one answers with the newest map while the other sweeps the next. The coarse one is handed over to the page once
+// nothing is dragged: then it is looked up in the frame that asks.
 import type { Car, Maneuver, MapBounds, ParkMap, Pose, Snug } from "snug";
 import { mostInStreet, type Asker, type PlaceCase, type Slice } from "./questions";
 
@@ -19,6 +19,8 @@ interface Listener {
     ready(): void;
     seen(look: Look, seen: Seen): void;
     failed(sentence: string): void;
+    /** Something is being dragged: no time to take a map over. */
+    busy(): boolean;
 }
 
 /** To take over a larger map would hold up a frame. [bytes] */
@@ -54,7 +56,8 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
                 const { spacing, milliseconds } = told;
                 held = { key: mine.key, level, spacing, milliseconds };
                 if (level === 0) times.maps.push(told.milliseconds);
-                if (told.packed) takeOver(mine.key, swept, told.packed);
+                if (told.packed) given = { key: mine.key, swept, packed: told.packed };
+                takeOver();
                 looking = 0; // what the other worker was asked is asked again of this one
                 listener.ready();
             }
@@ -64,12 +67,17 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
     };
 
     let own: { key: string; map: ParkMap } | null = null;
-    const takeOver = (its: string, { car, place, options, spacing }: PlaceCase & { spacing: number }, packed: Uint8Array) => {
+    let given: { key: string; swept: PlaceCase & { spacing: number }; packed: Uint8Array } | null = null;
+    const takeOver = () => {
+        if (!given || listener.busy()) return;
         const before = performance.now();
+        const { key, swept, packed } = given;
+        const { car, place, options, spacing } = swept;
+        given = null;
         own?.map.delete();
         own = null;
         try {
-            own = { key: its, map: snug.unpackParkMap(car, place, { ...options, spacing, max_changes: mostInStreet }, packed) };
+            own = { key, map: snug.unpackParkMap(car, place, { ...options, spacing, max_changes: mostInStreet }, packed) };
         } catch {
             // Out of memory, at worst: the workers' maps go on answering.
         }
@@ -121,6 +129,7 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
         set,
         look,
         at,
+        takeOver,
         looking: () => looking !== 0,
         times,
         /** Null: none yet. `current`: of the place that was set last. */
