@@ -51,6 +51,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     const neighbours = layer("neighbours");
     const trail = layer("trail");
     const vehicle = layer("vehicle");
+    const way = layer("way");
     const dimensions = layer("dimensions");
     const grips = layer("grips");
 
@@ -165,6 +166,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
 
     const drawTrail = (s: Scene) => {
         const parts: SVGElement[] = [];
+        const lines: SVGElement[] = [];
         if (s.track && s.track.legs.length > 0) {
             const poses = s.track.legs.map((leg) => samples(s.car, leg, drag() ? 0.04 : 0.015));
             if (s.swept) {
@@ -177,12 +179,13 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
             if (s.parked) parts.push(svg("path", { class: "goal-frame", d: polygon(carCorners(s.car, s.track.legs.at(-1)!.end)) }));
             for (const backward of [true, false]) {
                 const d = poses.filter((_, i) => s.track!.legs[i]!.backward === backward).map(path).join("");
-                if (d) parts.push(svg("path", { class: backward ? "path backward" : "path forward", d }));
+                if (d) lines.push(svg("path", { class: backward ? "path backward" : "path forward", d }));
             }
         }
         const [x, y] = at(fanCentre(s));
         parts.push(svg("circle", { class: "corner", cx: round(x), cy: round(y), r: 3.5 }));
         trail.replaceChildren(...parts);
+        way.replaceChildren(...lines);
     };
 
     const drawDimensions = (s: Scene) => {

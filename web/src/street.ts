@@ -110,7 +110,10 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         const beside = (narrow ? 0.75 : 1.45) * own;
         const out = Math.min(s.street.road ?? Infinity, Math.max(1.5 * own, 6));
         const [low, high] = sense(s) > 0 ? [slot.y_min - 0.75, out + 0.45] : [-out - 0.45, slot.y_max + 0.75];
-        return extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside, y: high }, ...stands]);
+        // The knob that turns the car is ahead of it.
+        const ahead = s.car.front + (narrow ? 1.5 : 1);
+        const knob = { x: s.pose.x + ahead * Math.cos(s.pose.heading), y: s.pose.y + ahead * Math.sin(s.pose.heading) };
+        return extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside, y: high }, ...stands, knob]);
     };
 
     const fit = (s: StreetScene) => {
@@ -251,7 +254,9 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
             const pose = entryPose(s.car, length, heading, forward, s.clearance);
             return { x: pose.x, y: sense(s) * pose.y };
         };
-        const line = Array.from({ length: 46 }, (_, i) => entry(radians(2 * i)));
+        // Beyond the curb no car can stand.
+        const deep = extent(bay(s));
+        const line = Array.from({ length: 91 }, (_, i) => entry(radians(i))).filter(({ y }) => y >= deep.y_min && y <= Math.max(deep.y_max, -deep.y_min));
         const mine = (left ? -1 : 1) * (forward ? -1 : 1) * s.pose.heading;
         const parts: SVGElement[] = [svg("path", { class: "entry-line", d: path(line) }, svg("title", {}, "The paper’s entry positions"))];
         if (mine >= 0 && mine <= quarter) {
@@ -314,12 +319,24 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
             slider(gripOf.rear, { x: slot.x_min - inward, y: middle }, along);
             slider(gripOf.front, { x: slot.x_max + inward, y: middle }, along);
             const deepest = out > 0 ? slot.y_min : slot.y_max;
-            slider(gripOf.curb, { x: slot.x_min + 0.22 * (slot.x_max - slot.x_min), y: deepest }, street.angle === 0 ? metres(street.width, 0.3, 10) : metres(street.length, 0.5, 40), [0, 17]);
+            slider(gripOf.curb, { x: slot.x_min - 22 / view.scale, y: deepest }, street.angle === 0 ? metres(street.width, 0.3, 10) : metres(street.length, 0.5, 40), [0, 17]);
             gripOf.far.style.display = street.road === null ? "none" : "";
             if (street.road !== null) slider(gripOf.far, { x: slot.x_min - 0.35 * s.car.front, y: out * street.road }, metres(street.road, 0.5, 30), [0, -6]);
             if (street.angle === 0) {
                 const ends = [at({ x: slot.x_min, y: deepest }), at({ x: slot.x_max, y: deepest })].sort((a, b) => a[0] - b[0]) as [[number, number], [number, number]];
                 measures.push(dimension(ends[0], ends[1], [0, Math.min(0.55 * view.scale, size.height - ends[0][1] - 10)], `${street.length.toFixed(3)} m`));
+            }
+            if (street.angle > 0) {
+                // Of a bay, along the end that is farthest in: of its corners the two farthest from the road, from left to right.
+                const inner = bay(s)
+                    .sort((a, b) => out * (a.y - b.y))
+                    .slice(0, 2)
+                    .map(at)
+                    .sort((a, b) => a[0] - b[0]) as [[number, number], [number, number]];
+                const [[x1, y1], [x2, y2]] = inner;
+                const off = street.angle < quarter ? 20 : Math.min(0.55 * view.scale, size.height - y1 - 10);
+                const long = Math.hypot(x2 - x1, y2 - y1);
+                measures.push(dimension(...inner, [(-off * (y2 - y1)) / long, (off * (x2 - x1)) / long], `${street.width.toFixed(3)} m`));
             }
             // Where the car is not.
             if (!drag()) measuresLeft = at(s.pose)[0] > size.width / 2;

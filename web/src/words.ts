@@ -41,7 +41,8 @@ export function sayAnswer(snug: Snug, inputs: Inputs, answers: Answers, shown: M
     else sayEntry(snug, inputs, answers, run);
 }
 
-const metres = (value: number) => `${value.toFixed(2)} m`;
+/** Never broken before the unit. */
+const metres = (value: number) => `${value.toFixed(2)}\u00a0m`;
 
 /** In the street: the exact answer where there is one, else what the map says. `map`: null while there is none of this place. */
 export function sayPark(inputs: Inputs, { bounds, exact, proved: before, soFar, pose, trouble }: Parking, map: { spacing: number } | null) {

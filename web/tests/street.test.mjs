@@ -45,6 +45,9 @@ test("the car dragged to ten poses: the map bounds the command's count, and the 
         }
         ++free;
         const found = await sameAsCommand(page, `pose ${i}`);
+        // What was shown as proved before the roomiest way was there had the same count.
+        const before = await page.evaluate(() => window.snugPage.parking.proved);
+        if (before) assert.deepEqual([before.proved, before.direction_changes], [true, found.direction_changes]);
         assert.equal(await text(page, "count"), found.proved ? String(found.direction_changes) : `≤ ${found.direction_changes}`);
         assert.ok(bounds.lower_bound <= found.direction_changes);
         if (bounds.direction_changes !== undefined) assert.ok(bounds.direction_changes >= found.lower_bound);
@@ -54,10 +57,9 @@ test("the car dragged to ten poses: the map bounds the command's count, and the 
 
 test("while the car is dragged, the page's own map answers in the frame that asks, as the library's does", { timeout: 300_000 }, async () => {
     const page = await site.page({ path: "#mode=street&length=5.4&width=2.1" });
-    await page.waitForFunction(() => window.snugPage.map.state()?.current);
+    await page.waitForFunction(() => window.snugPage.map.state()?.own);
     await page.evaluate(() => {
-        const { snug, map } = window.snugPage;
-        map.sweepOwn();
+        const { snug } = window.snugPage;
         const car = snug.car("renault-zoe");
         const spacing = Math.min((0.999 / 32) * (car.wheelbase / Math.tan(car.max_steer)), 0.16);
         window.again = snug.parkMap(car, { length: 5.4, width: 2.1, road: 6 }, { spacing, max_changes: 20 });
@@ -182,9 +184,15 @@ test("the street is coloured by the map's counts at the car's heading, and anew 
     assert.ok(apart < 1, `${apart} pixels`);
     // What is unknown, more than is counted, and impossible are told apart in words, too.
     assert.match(await text(page, "street-legend"), /more than 20, or none known.*impossible.*entry positions/);
+    assert.ok(await page.locator("#legend-entries").isVisible());
     await page.locator("#show-map").uncheck();
     await settled(page);
     assert.equal(await page.locator("#street image").getAttribute("href"), null);
+    // They are the paper's, of parallel slots: a bay has none, neither in the picture nor in the legend.
+    await page.locator("#show-map").check();
+    await choose(page, "kind", "perpendicular");
+    assert.equal(await page.locator("#street .entry-line").count(), 0);
+    assert.ok(await page.locator("#legend-entries").isHidden());
 });
 
 test("played as the trajectory has it: its time, its distances, a wheel that tells left from right", { timeout: 300_000 }, async () => {
