@@ -199,6 +199,14 @@ test("played as the trajectory has it: its time, its distances, a wheel that tel
     const page = await site.page();
     const { maneuver } = await exact(page);
     await settled(page);
+    // Front wheels turn, rear ones do not: how a wheel's side lies on the screen.
+    const wheels = () =>
+        page.evaluate(() =>
+            [...document.querySelectorAll("#street .vehicle .wheel")].map((wheel) => {
+                const [, x1, y1, x2, y2] = /M(\S+) (\S+)L(\S+) (\S+)L/.exec(wheel.getAttribute("d")).map(Number);
+                return Math.atan2(y1 - y2, x1 - x2);
+            }),
+        );
     const seconds = Number(await page.evaluate(() => document.documentElement.dataset.seconds));
     assert.ok(Math.abs(seconds - maneuver.seconds) < 1e-6, `${seconds} s and the command's ${maneuver.seconds} s`);
     const wheel = () => page.locator("#wheel").getAttribute("transform");
@@ -207,6 +215,9 @@ test("played as the trajectory has it: its time, its distances, a wheel that tel
         await page.locator("#moves li button").nth(i).click();
         const move = maneuver.moves[i];
         turns.set(move.steering, ((Number(/rotate\((.*)\)/.exec(await wheel())[1]) % 360) + 360) % 360);
+        const [rear, , front] = await wheels();
+        const turned = Math.abs(Math.atan2(Math.sin(front - rear), Math.cos(front - rear)));
+        if (i > 0) assert.ok(Math.abs(turned - Math.abs(maneuver.moves[i].steering_angle)) < 0.1, `move ${i}: front wheels ${turned} rad`);
         await page.locator("#next").click();
         const near = await text(page, "now-near");
         if (move.nearest) {
@@ -218,6 +229,16 @@ test("played as the trajectory has it: its time, its distances, a wheel that tel
     if (turns.has("left") && turns.has("right")) assert.ok(Math.abs(turns.get("left") - turns.get("right")) > 20, [...turns].join());
     const pose = JSON.parse(await page.evaluate(() => document.documentElement.dataset.pose));
     for (const key of ["x", "y", "heading"]) assert.ok(Math.abs(pose[key] - maneuver.goal[key]) < 1e-9);
+    // The path lies over the car, of which a sign marks the front; the corners' tracks are drawn where they are asked for.
+    const drawn = () =>
+        page.evaluate(() => {
+            const [vehicle, way, ...tracks] = ["vehicle", "way .path", "trail .corner-track"].flatMap((what) => [...document.querySelectorAll(`#street .${what}`)].slice(0, what.includes(" .c") ? 9 : 1));
+            return { over: !!(vehicle.compareDocumentPosition(way) & Node.DOCUMENT_POSITION_FOLLOWING), front: !!vehicle.querySelector(".ahead").getAttribute("d"), tracks: tracks.length };
+        });
+    assert.deepEqual(await drawn(), { over: true, front: true, tracks: 0 });
+    await page.locator("#tracks").check();
+    await settled(page);
+    assert.deepEqual(await drawn(), { over: true, front: true, tracks: 4 });
     await page.locator("#play").click();
     await page.waitForFunction(() => / m\/s/.test(document.getElementById("now-detail").textContent) && !/ 0\.00 m\/s/.test(document.getElementById("now-detail").textContent));
     await page.locator("#play").click();
