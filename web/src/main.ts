@@ -216,7 +216,7 @@ function run(snug: Snug, questions: Asker) {
         street.render({
             car,
             place: state.scene,
-            street: scene ? null : { length, width, angle: angle * (Math.PI / 180), road, left: side === "left", forward: enter === "forward" },
+            street: scene ? null : { length, width, angle: angle * (Math.PI / 180), road, left: side === "left", forward: enter === "forward", out: inputs.way === "out" },
             clearance: inputs.clearance,
             pose: state.pose,
             track: blocked ? null : way,
@@ -233,7 +233,7 @@ function run(snug: Snug, questions: Asker) {
         if (!shown || (!state.exact && state.lookedAt !== state.pose)) street.showCar(state.pose, 0);
         parking.again();
         sayPark(inputs, state, swept?.current ? swept : null);
-        byId("legend-entries").toggleAttribute("hidden", !!scene || angle > 0);
+        byId("legend-entries").toggleAttribute("hidden", !!scene || angle > 0 || inputs.way === "out");
         byId("street-legend").toggleAttribute("hidden", !byId<HTMLInputElement>("show-map").checked);
     }
 

@@ -50,7 +50,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
     };
     let place = "";
     let asked = "";
-    let askedExact = "";
+    let searching = false; // for the exact answer to that
     let wanted: Inputs | null = null;
     /** The slice that came last. */
     let painted = "";
@@ -130,8 +130,9 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             soonExact(askExact);
             return;
         }
-        if (askedExact === asked) return;
-        const mine = (askedExact = asked);
+        if (searching) return;
+        searching = true;
+        const mine = asked;
         questions.ask("park", "park", { ...caseOf(wanted), start: state.pose }, (told) => {
             if (mine !== asked) return;
             if ("error" in told) state.trouble = told.error;
@@ -176,6 +177,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         since = sinceStill = performance.now();
         Object.assign(state, { pose: inputs.pose ?? usualPose(inputs, state.scene), exact: null, proved: null, soFar: null, trouble: "" });
         questions.abandon("park");
+        searching = false;
         lookUp();
         look();
         soonExact(askExact);

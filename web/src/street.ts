@@ -13,7 +13,7 @@ export interface StreetScene {
     car: Shape;
     place: Place;
     /** What of it can be dragged; null: a place from a file. */
-    street: { length: number; width: number; angle: number; road: number | null; left: boolean; forward: boolean } | null;
+    street: { length: number; width: number; angle: number; road: number | null; left: boolean; forward: boolean; out: boolean } | null;
     clearance: number;
     pose: Pose;
     /** The way shown is known to end in the slot. */
@@ -113,7 +113,8 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         // The knob that turns the car is ahead of it.
         const ahead = s.car.front + (narrow ? 1.5 : 1);
         const knob = { x: s.pose.x + ahead * Math.cos(s.pose.heading), y: s.pose.y + ahead * Math.sin(s.pose.heading) };
-        return extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside, y: high }, ...stands, knob]);
+        const goal = s.street.out ? 1.3 * own : 0; // out on the road
+        return extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside + goal, y: high }, ...stands, knob]);
     };
 
     const fit = (s: StreetScene) => {
@@ -245,7 +246,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
 
     /** The paper's entry positions: a line of them, and the one of this heading. */
     const drawEntries = (s: StreetScene) => {
-        if (!s.street || s.street.angle !== 0) {
+        if (!s.street || s.street.angle !== 0 || s.street.out) {
             entries.replaceChildren();
             return;
         }
@@ -316,9 +317,11 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
             const middle = (slot.y_min + slot.y_max) / 2;
             const inward = street.angle === 0 ? 26 / view.scale : street.width / Math.sin(street.angle) / 2;
             const along = street.angle === 0 ? metres(street.length, 0.5, 40) : metres(street.width, 0.3, 10);
-            slider(gripOf.rear, { x: slot.x_min - inward, y: middle }, along);
-            slider(gripOf.front, { x: slot.x_max + inward, y: middle }, along);
             const deepest = out > 0 ? slot.y_min : slot.y_max;
+            // Beside a slot they are near the curb: the knob of a car that stands in it is in the middle.
+            const y = street.angle === 0 ? 0.25 * middle + 0.75 * (deepest + (out * 16) / view.scale) : middle;
+            slider(gripOf.rear, { x: slot.x_min - inward, y }, along);
+            slider(gripOf.front, { x: slot.x_max + inward, y }, along);
             slider(gripOf.curb, { x: slot.x_min - 22 / view.scale, y: deepest }, street.angle === 0 ? metres(street.width, 0.3, 10) : metres(street.length, 0.5, 40), [0, 17]);
             gripOf.far.style.display = street.road === null ? "none" : "";
             if (street.road !== null) slider(gripOf.far, { x: slot.x_min - 0.35 * s.car.front, y: out * street.road }, metres(street.road, 0.5, 30), [0, -6]);

@@ -82,7 +82,7 @@ export function sayPark(inputs: Inputs, { bounds, exact, proved: before, soFar, 
         const high = Math.min(bounds.direction_changes ?? Infinity, soFar?.direction_changes ?? Infinity);
         const known = high < Infinity ? high : undefined;
         const word = known === undefined ? "Searching" : fits!;
-        say(word, known === undefined ? "open" : "fits", range(low, known), plural(known ?? 2), low === known ? "Proved by the map: no maneuver has fewer." : "From the map, checked by exact contact; the proof follows.");
+        say(word, known === undefined ? "open" : "fits", range(low, known), plural(known ?? 2), low === known ? "Proved: no maneuver has fewer." : "From the map, checked by exact contact; the proof follows.");
     }
 }
 

@@ -1,5 +1,5 @@
 // How long the built page takes: `npm run bench`. Each line is <question>/<strategy>/<case> and milliseconds, then those of
-// CPU: of the page's thread while something is dragged and until it can be used, else of all threads of the page. A busy machine makes the first larger,
+// CPU: of the page's thread while something is dragged, else of all threads of the page until then. A busy machine makes the first larger,
 // so nothing is asserted.
 import { closeBrowser, open } from "./browser.mjs";
 
@@ -55,11 +55,11 @@ async function drag(name, path) {
 
 /** From the navigation until everything can be used and there is an answer; the same in the street, until the map is there. */
 async function load(name) {
-    const [times, cpu, maps, cpuOfMaps] = [[], [], [], []]; // the page's thread, and all of them
+    const [times, cpu, maps, cpuOfMaps] = [[], [], [], []];
     for (let i = 0; i < 5; ++i) {
         const page = await site.page();
         const clock = await clocks(page);
-        cpu.push((await clock()).thread);
+        cpu.push((await clock()).process);
         times.push(Number(await page.evaluate(() => document.documentElement.dataset.ready)));
         await page.waitForFunction(() => window.snugPage.times.answers.length > 0);
         cpuOfMaps.push((await clock()).process);
