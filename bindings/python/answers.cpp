@@ -109,6 +109,10 @@ std::string json_text(const HeadingRange& range) {
                   {"subrange", range.subrange}});
 }
 
+std::string json_text(const Headings& headings) {
+    return write({{"heading_min", headings.min}, {"heading_max", headings.max}});
+}
+
 std::string json_text(const AskedAnswer& answer) {
     if (answer.leaving) return write(leave_as_json(*answer.car, *answer.slot, answer, answer.driving));
     Json json;
@@ -125,10 +129,10 @@ std::string json_text(const AskedAnswer& answer) {
         if (const auto tolerance = answer.start_tolerance()) json["start_tolerance"] = as_json(*tolerance);
     }
     if (answer.cell)
-        json["cell"] = {{"length", answer.cell->min},
-                        {"width", answer.cell->max},
-                        {"shorter", answer.slot->length() - answer.cell->min},
-                        {"narrower", answer.slot->width() - answer.cell->max}};
+        json["cell"] = {{"length", answer.cell->first},
+                        {"width", answer.cell->second},
+                        {"shorter", answer.slot->length() - answer.cell->first},
+                        {"narrower", answer.slot->width() - answer.cell->second}};
     return write(json);
 }
 

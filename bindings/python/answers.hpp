@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "snug/scene.hpp"
@@ -22,7 +23,7 @@ struct AskedAnswer : Answer {
     std::optional<double> parked_heading;
     std::optional<double> parked_curb;
     bool prove = false;
-    std::optional<Headings> cell;  ///< of an atlas: length and width of the stored slot
+    std::optional<std::pair<double, double>> cell;  ///< of an atlas: length and width of the stored slot
 
     [[nodiscard]] Parked parked() const {
         Parked all;
@@ -93,6 +94,7 @@ std::string json_text(const Maneuver& maneuver);
 std::string json_text(const Street& street);
 std::string json_text(const Scene& scene);
 std::string json_text(const HeadingRange& range);
+std::string json_text(const Headings& headings);
 std::string json_text(const AskedAnswer& answer);
 std::string json_text(const AskedMinSlot& slot);
 std::string json_text(const AskedMinStreet& street);

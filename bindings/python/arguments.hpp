@@ -110,7 +110,7 @@ struct IsVector<std::vector<T>> : std::true_type {};
 
 /// In Python a tuple of its two numbers.
 template <class T>
-constexpr bool is_pair = std::is_same_v<T, Headings> || std::is_same_v<T, Sizes>;
+constexpr bool is_pair = std::is_same_v<T, std::pair<double, double>>;
 
 template <class T>
 T as(py::handle value, const std::string& name) {

@@ -11,7 +11,7 @@ namespace snug::python {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Objects share what is mapped.
 struct OpenAtlas {
@@ -23,9 +23,9 @@ struct StoredFields {
     std::int64_t direction_changes = -1;
     std::int64_t lower_bound = 0;
     bool decided = true;
-    double length = none;
-    double width = none;
-    double entry_heading = none;
+    double length = not_a_number;
+    double width = not_a_number;
+    double entry_heading = not_a_number;
 };
 
 std::vector<double> lengths_of(const Atlas& atlas) {
@@ -84,7 +84,7 @@ AskedAnswer look_up(const OpenAtlas& self, const Arguments& given) {
     answer.strategy = to_string(atlas.options().strategy);
     answer.max_changes = atlas.options().max_changes;
     answer.driving = atlas.options().driving;
-    answer.cell = Headings{stored.cell.length(), stored.cell.width()};
+    answer.cell = {stored.cell.length(), stored.cell.width()};
     const bool parks = stored.verdict == AtlasVerdict::parks;
     if (parks) {
         answer.direction_changes = stored.cell.direction_changes();

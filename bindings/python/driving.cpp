@@ -32,6 +32,12 @@ Pose start_in(const AnyPlace& place, const Car& car) {
     return street ? standard_start(*street, car) : std::get<Scene>(place).start;
 }
 
+double heading_in(const AnyPlace& place, const std::optional<double>& heading) {
+    if (heading) return *heading;
+    const auto* street = std::get_if<Street>(&place);
+    return street ? street->heading : std::get<Scene>(place).start.heading;
+}
+
 namespace {
 
 /// An assistant, and of what in Python's words.
@@ -115,11 +121,7 @@ std::optional<std::string> picture(const AskedDrive& answer) {
     PictureOptions options;
     options.driving.clearance = answer.margin;
     for (const DriveRun& run : answer.runs) options.tracks.push_back(run.track);
-    ParkAnswer planned;
-    planned.maneuver = answer.planned;
-    if (answer.planned) planned.direction_changes = answer.planned_changes;
-    planned.lower_bound = answer.lower_bound;
-    return drawn(*answer.car, *answer.place, answer.start, planned, options);
+    return drawn(*answer.car, *answer.place, answer.start, answer.plan(), options);
 }
 
 namespace {
@@ -268,11 +270,7 @@ void define_assistant(py::module_& module) {
                          given.read("spacing", options.spacing);
                          std::optional<double> heading;
                          given.read("heading", heading);
-                         options.heading = heading;
-                         if (!heading)
-                             options.heading = std::holds_alternative<Street>(place)
-                                                   ? std::get<Street>(place).heading
-                                                   : std::get<Scene>(place).start.heading;
+                         options.heading = heading_in(place, heading);
                          Assistant made = released([&] { return Assistant(car, place_of(place), options); });
                          return AssistantOf{place, heading, options, std::move(made)};
                      })

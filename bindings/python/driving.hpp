@@ -31,6 +31,8 @@ struct AskedDrive : DriveAnswer {
 
 Place place_of(const AnyPlace& place);
 Pose start_in(const AnyPlace& place, const Car& car);
+/// The `heading` given, which a map covers the surroundings of, or else the street's or that of the scene's start.
+double heading_in(const AnyPlace& place, const std::optional<double>& heading);
 
 AskedRolling park_moving(const Car& car, const AnyPlace& place, const Pose& start, const ParkOptions& options,
                          double steering_rate, Progress& progress);

@@ -317,11 +317,7 @@ void define_map(py::module_& module) {
                          given.read("max_changes", options.max_changes);
                          std::optional<double> heading;
                          given.read("heading", heading);
-                         options.heading = heading;
-                         if (!heading)
-                             options.heading = std::holds_alternative<Street>(place)
-                                                   ? std::get<Street>(place).heading
-                                                   : std::get<Scene>(place).start.heading;
+                         options.heading = heading_in(place, heading);
                          Progress progress(py::none{});
                          options.progress = [&] { return progress.tell(); };
                          try {

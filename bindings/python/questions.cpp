@@ -186,7 +186,23 @@ AskedAnswer asked_answer(const Arguments& given, Answer answer) {
     return asked;
 }
 
+/// A range of numbers by its ends, which are also its two elements.
+template <class Range>
+void define_range(py::module_& module, const char* name, const char* documentation, const char* unit) {
+    const auto both = [](const Range& range) { return py::make_tuple(range.min, range.max); };
+    Value<Range>(module, name, documentation)
+        .field("min", &Range::min, unit)
+        .field("max", &Range::max, unit)
+        .finish()
+        .def("__iter__", [both](const Range& range) { return py::iter(both(range)); })
+        .def("__len__", [](const Range&) { return 2; })
+        .def("__getitem__",
+             [both](const Range& range, const py::object& i) { return both(range).attr("__getitem__")(i); });
+}
+
 void define_entry(py::module_& module) {
+    define_range<Headings>(module, "Headings", "Headings from `min` to `max`, both included: its two elements.",
+                           "[rad]");
     Value<HeadingRange>(module, "HeadingRange",
                         "A maximal range of entry headings that park with the same number of direction changes. Both\n"
                         "ends belong to it.")
@@ -218,7 +234,7 @@ void define_entry(py::module_& module) {
         .field("proved", &AskedAnswer::proved, "The two meet, or the lower bound exceeds what is allowed.")
         .field("ranges", &AskedAnswer::ranges, "Of entry(): in rising order.")
         .field("undecided", &AskedAnswer::undecided,
-               "Of entry(): pairs of headings between which nothing is claimed [rad].")
+               "Of entry(): Headings of which nothing is claimed; nearly always none.")
         .field(
             "maneuver", &AskedAnswer::maneuver,
             "One best maneuver: of entry() from the middle of the widest best range, of the others the roomiest found.")
@@ -306,6 +322,7 @@ void define_entry(py::module_& module) {
 }
 
 void define_min_slot(py::module_& module) {
+    define_range<Sizes>(module, "Sizes", "Sizes from `min` to `max`, both included: its two elements.", "[m]");
     Value<AskedMinSlot>(module, "MinSlot", "A slot that is just large enough, as far as it is known.")
         .field("max_changes", &AskedMinSlot::max_changes, "Direction changes allowed.")
         .field("length", &AskedMinSlot::length,
@@ -313,9 +330,8 @@ void define_min_slot(py::module_& module) {
         .field("width", &AskedMinSlot::width, "[m], likewise.")
         .field("lower", &AskedMinSlot::lower,
                "Of what was asked for: nothing smaller will do, where that is proved ('fewest', `prove`) [m].")
-        .field(
-            "open", &AskedMinSlot::open,
-            "With `prove`: the sizes above `lower` that park as well, or of which nothing is known, as (min, max) [m].")
+        .field("open", &AskedMinSlot::open,
+               "With `prove`: the Sizes above `lower` that park as well, or of which nothing is known.")
         .field("entry_heading", &AskedMinSlot::entry_heading,
                "From which the car parks in it with full steering [rad], or None.")
         .field("cancelled", &AskedMinSlot::cancelled, "The progress callback gave up.")

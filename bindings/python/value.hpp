@@ -18,7 +18,7 @@ py::object shown(const T& value) {
         for (const auto& one : value) all.append(shown(one));
         return py::tuple(all);
     } else if constexpr (is_pair<T>) {
-        return py::make_tuple(value.min, value.max);
+        return py::make_tuple(value.first, value.second);
     } else if constexpr (std::is_enum_v<T>) {
         return py::str(std::string(word(value)));
     } else if constexpr (std::is_base_of_v<py::handle, T>) {

@@ -204,3 +204,17 @@ def test_an_atlas_is_open_for_looking_up(tmp_path, strategy):
         with pytest.raises(snug.Error) as raised:
             call()
         assert says in str(raised.value)
+
+
+def test_what_is_undecided_has_ends_as_ranges_have():
+    """A single heading, as good as: 8e-13 rad wide (ProvedEntry.ListsWhatIsTooNarrowToClaim)."""
+    car = snug.Car(width=1.370913965386644, front=3.594917688255497, rear=1.0983338683615604, wheelbase=3.235742146367956,
+                   max_steer=0.8112025073762099)
+    answer = snug.entry(car, snug.Slot(5.491881517462855, 1.5548834607640432), max_changes=14)
+    (sliver,) = answer.undecided
+    low, high = sliver
+    assert (low, high) == (sliver.min, sliver.max) == (sliver[0], sliver[-1]) and len(sliver) == 2 and low < high < low + 5e-12
+    assert sliver.to_dict() == answer.to_dict()["undecided"][0] == {"heading_min": low, "heading_max": high}
+    assert repr(sliver) == f"Headings(min={low!r}, max={high!r})"
+    assert pickle.loads(pickle.dumps(sliver)) == sliver and hash(sliver) == hash(copy.deepcopy(sliver))
+    assert pickle.loads(pickle.dumps(answer)) == answer
