@@ -213,8 +213,8 @@ void TurningFrame::see(const TurningShape& shape, int any_quarter) {
     }
 }
 
-FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
-                        int quarter, double c, double s) {
+Bearing first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
+                        int quarter, double c, double s, Found& found) {
     const Surroundings<double> around = {
         x, y, problem.length, y + problem.width, y + problem.front_setback, y + problem.rear_setback, problem.touch};
     First<Plain<double>, Found> first(c, s, sector.end_order);
@@ -234,7 +234,8 @@ FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const P
     edges_meet(sector.lowest.index, sector.rightmost.index, -x, -around.above_front, Meets::front_corner);
     edges_meet(sector.leftmost.index, sector.lowest.index, -x - problem.length, -around.above_rear, Meets::rear_corner);
     first.settle();
-    return {first.found, first.c, first.s, first.order};
+    found = first.found;
+    return {first.c, first.s};
 }
 
 CarPart corner_at(const Outline& outline, const Point& point) {

@@ -179,15 +179,10 @@ inline double height_of(const TurningCorner& corner, double y, double c, double 
     return y + corner.x * s + corner.y * c;
 }
 
-/// A first contact and its heading.
-struct FoundAt : Found {
-    double c, s;
-    double order;  ///< -2 if there is none
-};
-
-/// First contact while turning clockwise about (x, y) within a sector of a quarter turn, from the heading (c, s).
-FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
-                        int quarter, double c, double s);
+/// First contact while turning clockwise about (x, y) within a sector of a quarter turn, from the heading (c, s): where it
+/// is, if it is `found`.
+Bearing first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
+                        int quarter, double c, double s, Found& found);
 
 /// The part of an outline at one of its corners, or along one of its edges, named by where it is.
 CarPart corner_at(const Outline& outline, const Point& point);
