@@ -69,6 +69,7 @@ struct First {
         const Real at_order = at.s - at.c;
         const Real later = start_order - at_order;
         if constexpr (N::alone) {  // the same as below; mostly only the last question is asked
+            if (!exists) return;
             bool touches = false;
             if (later < near_start) {
                 if (!(later > -near_start)) return;
