@@ -21,6 +21,7 @@ public:
         copy_own(other);
     }
     Few& operator=(const Few& other) {
+        if (this == &other) return *this;
         size_ = other.size_;
         many_ = other.many_;
         place();

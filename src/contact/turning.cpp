@@ -93,17 +93,6 @@ double below_centre(const TurningCorner& corner, double begin_order, double end_
     return order <= begin_order && order >= end_order ? order : never;
 }
 
-/// The directions of the body's edges.
-Few<Point, 4> directions(const Outline& body) {
-    const std::vector<Point>& corners = body.corners();
-    Few<Point, 4> ways;
-    ways.resize(corners.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        ways[i] = direction(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
-    }
-    return ways;
-}
-
 /// The edges of the body, as far as a point turning counter-clockwise about the centre can enter over them.
 Few<TurningEdge, 4> seen_edges(const Few<TurningCorner, 12>& corners, const Few<Point, 4>& ways, double touch) {
     const auto along = [](const TurningCorner& point, const Point& way) { return point.x * way.x + point.y * way.y; };

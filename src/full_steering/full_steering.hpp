@@ -46,7 +46,7 @@ private:
           backward(problem, shape, problem.radius),
           forward(problem, shape, -problem.radius),
           height_decides(first_quarter >= 0 && by_height_alone(problem)),
-          entry(problem) {
+          entry(problem, shape.ways) {
         problem.parked.heading = std::min(problem.parked.heading, limits::quarter_turn);
         for (int quarter = first_quarter; quarter <= turned_away.quarter; ++quarter) {
             backward.see(shape, quarter);
