@@ -86,6 +86,15 @@ struct First {
         found.is_first(earlier, at.across, meets, part);
     }
 
+    /// Rounding can have a circle end short of a line that it only just reaches. It is taken to reach it there; whoever asks
+    /// must see that the car touches the line from the start, for then its first way is what decides: in or away.
+    SNUG_INLINE Mask just_reaches(Crossing<Real>& crossing, Real radius, Real touch) {
+        const Real rounding = radius * touch;
+        const Mask just = N::both(crossing.square < N::set(0.0), crossing.square >= N::minus(rounding));
+        if (N::rarely(just)) crossing.square = N::select(just, N::set(0.0), crossing.square);
+        return just;
+    }
+
     /// A corner of the car meets the upright side of a neighbour, to the right (sign 1) or to the left (sign -1).
     template <int Sign>
     SNUG_INLINE void corner_meets_side(const SeenCorner<Real>& corner, Real along, Real above_top, Real touch,
@@ -94,7 +103,8 @@ struct First {
         if constexpr (N::alone && Sign > 0) {
             if (above_top > 2.0 * touch) return;
         }
-        const Crossing<Real> crossing = corner_on_wall<N, Sign>(corner, along);
+        Crossing<Real> crossing = corner_on_wall<N, Sign>(corner, along);
+        const Mask just = just_reaches(crossing, corner.radius, touch);
         if constexpr (N::alone) {  // told from the root's square; nor where there is no root
             const Real top = Sign > 0 ? 2.0 * touch - above_top : above_top - 2.0 * touch;
             if (Sign > 0 ? !(crossing.square <= top * top) : top > 0.0 && !(crossing.square >= top * top)) return;
@@ -114,14 +124,15 @@ struct First {
             return AtStart<N>{N::both(touching, N::opposite(slips)), slips};
         };
         // Rounding may have lifted a corner that touches above the wall's end.
-        const Mask lifted = height > N::set(0.0);
-        if (!N::none(lifted)) exists = N::both(exists, N::either(N::opposite(lifted), at_start().touches));
+        const Mask unsure = N::either(just, height > N::set(0.0));
+        if (!N::none(unsure)) exists = N::both(exists, N::either(N::opposite(unsure), at_start().touches));
         consider(at, exists, at_start, meets, corner.index);
     }
 
     SNUG_INLINE void corner_meets_curb(const SeenCorner<Real>& corner, Real above, Real touch) {
-        const Crossing<Real> crossing = corner_on_ground<N>(corner, above);
-        const Mask exists = crossing.square >= N::set(0.0);
+        Crossing<Real> crossing = corner_on_ground<N>(corner, above);
+        const Mask just = just_reaches(crossing, corner.radius, touch);
+        Mask exists = crossing.square >= N::set(0.0);
         if (N::none(exists)) return;
         const auto at_start = [&]() SNUG_LAMBDA {
             const Real start_x = corner.x * start_c - corner.y * start_s;
@@ -129,6 +140,7 @@ struct First {
             const Mask touching = N::both(N::abs(start_y + above) <= touch, start_x > N::set(0.0));
             return AtStart<N>{touching, N::both(touching, N::opposite(touching))};
         };
+        if (N::rarely(just)) exists = N::both(exists, N::either(N::opposite(just), at_start().touches));
         consider(root<N>(crossing), exists, at_start, Meets::curb, corner.index);
     }
 
@@ -136,7 +148,8 @@ struct First {
     template <int Sign>
     SNUG_INLINE void corner_meets_top(const SeenCorner<Real>& corner, Real above, Real end, Mask high, Real touch,
                                       Meets meets) {
-        const Crossing<Real> crossing = corner_on_ground<N>(corner, above);
+        Crossing<Real> crossing = corner_on_ground<N>(corner, above);
+        const Mask just = just_reaches(crossing, corner.radius, touch);
         Mask exists = N::both(high, crossing.square >= N::set(0.0));
         if (N::none(exists)) return;
         const Root<Real> at = root<N>(crossing);
@@ -152,18 +165,19 @@ struct First {
             return AtStart<N>{N::both(touching, N::either(beyond_end > touch, moves_onto)),
                               N::both(touching, N::opposite(touching))};
         };
-        const Mask at_end = beyond_end <= touch;
-        if (!N::none(at_end)) exists = N::both(exists, N::either(N::opposite(at_end), at_start().touches));
+        const Mask unsure = N::either(just, beyond_end <= touch);
+        if (!N::none(unsure)) exists = N::both(exists, N::either(N::opposite(unsure), at_start().touches));
         consider(at, exists, at_start, meets, corner.index);
     }
 
     /// A neighbour's corner (gx, gy), seen from the centre, meets an edge of the car with the outward normal (nx, ny).
     SNUG_INLINE void edge_meets_corner(const SeenEdge<N>& edge, Real nx, Real ny, Real gx, Real gy, Real touch,
                                        Meets meets) {
-        const Crossing<Real> crossing = point_on_edge<N>(gx, gy, nx, ny, edge.distance);
+        Crossing<Real> crossing = point_on_edge<N>(gx, gy, nx, ny, edge.distance);
+        const Mask just = just_reaches(crossing, N::abs(edge.distance), touch);
         const Root<Real> at = root<N>(crossing);
         const Mask within = N::both(at.across <= edge.to + touch, at.across >= edge.from - touch);
-        const Mask exists = N::both(crossing.square >= N::set(0.0), within);
+        Mask exists = N::both(crossing.square >= N::set(0.0), within);
         if (N::none(exists)) return;
         const auto at_start = [&]() SNUG_LAMBDA {
             const Real start_x = gx * start_c + gy * start_s;
@@ -176,6 +190,7 @@ struct First {
             const Mask slips = N::both(touching, N::either(beyond, before));
             return AtStart<N>{N::both(touching, N::opposite(slips)), slips};
         };
+        if (N::rarely(just)) exists = N::both(exists, N::either(N::opposite(just), at_start().touches));
         consider(at, exists, at_start, meets, edge.index);
     }
 
