@@ -8,6 +8,7 @@
 #include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/way_out.hpp"
 #include "sentences/check.hpp"
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
@@ -43,11 +44,7 @@ struct Asked {
     explicit Asked(Options& options)
         : where(options),
           search(options, "eight-hundredth"),
-          steer(options.choice<Steer>(
-              "--steer", "STEER",
-              "standing (default), or moving: the steering turns only\nwhile the car rolls, which "
-              "may take more changes.",
-              {{"standing", Steer::standing}, {"moving", Steer::moving}})),
+          steer(steer_option(options)),
           files(options),
           view(options.choice<ParkView>("--view", "VIEW",
                                         "What to draw: maneuver (default), or map: from where\nin the place how many "
@@ -165,6 +162,13 @@ ParkQuestion WhereOptions::question() const {
     return {car, {street_place(street), start}, street, options};
 }
 
+Option<Steer> steer_option(Options& options) {
+    return options.choice<Steer>("--steer", "STEER",
+                                 "standing (default), or moving: the steering turns only\nwhile the car rolls, which "
+                                 "may take more changes.",
+                                 {{"standing", Steer::standing}, {"moving", Steer::moving}});
+}
+
 SearchOptions::SearchOptions(Options& options, const std::string& finest)
     : max_changes(options.whole_number("--max-changes", "N", "At most that many direction changes (200).", 0,
                                        limits::most_changes_fewest)),
@@ -243,7 +247,9 @@ Action park_action(const ParkQuestion& question, const ParkFiles& files) {
             write_file("--draw", files.picture->path,
                        files.view == ParkView::map ? drawn_map(*files.picture, question)
                                                    : drawn(*files.picture, question, answer));
-        put_out(files.path, written(files.format, question, answer));
+        std::string text = written(files.format, question, answer);
+        if (files.format == Format::text && !answer.maneuver && interruption() == 0) text += way_out_text(question);
+        put_out(files.path, text);
         return interruption() != 0 ? interruption() : exit_code(answer);
     };
 }

@@ -103,6 +103,15 @@ struct First {
         }
     }
 
+    /// Rounding can have a circle end short of a line that it only just reaches. It is taken to reach it there; whoever asks
+    /// must see that the car touches the line from the start, for then its first way is what decides: in or away.
+    SNUG_INLINE Mask just_reaches(Crossing<Real>& crossing, Real radius, Real touch) {
+        const Real rounding = radius * touch;
+        const Mask just = N::both(crossing.square < N::set(0.0), crossing.square >= N::minus(rounding));
+        if (N::rarely(just)) crossing.square = N::select(just, N::set(0.0), crossing.square);
+        return just;
+    }
+
     /// A corner of the car meets the upright side of a neighbour, to the right (sign 1) or to the left (sign -1).
     template <int Sign>
     SNUG_INLINE void corner_meets_side(const SeenCorner<Real>& corner, Real along, Real above_top, Real touch,
@@ -111,7 +120,8 @@ struct First {
         if constexpr (N::alone && Sign > 0) {
             if (above_top > 2.0 * touch) return;
         }
-        const Crossing<Real> crossing = corner_on_wall<N, Sign>(corner, along);
+        Crossing<Real> crossing = corner_on_wall<N, Sign>(corner, along);
+        const Mask just = just_reaches(crossing, corner.radius, touch);
         if constexpr (N::alone) {  // told from the root's square; nor where there is no root
             const Real top = Sign > 0 ? 2.0 * touch - above_top : above_top - 2.0 * touch;
             if (Sign > 0 ? !(crossing.square <= top * top) : top > 0.0 && !(crossing.square >= top * top)) return;
@@ -127,19 +137,20 @@ struct First {
             const Mask touching = N::both(N::abs(along - start_x) <= touch, closes);
             return AtStart<N>{touching, N::both(above_top + start_y >= N::set(0.0) - touch, start_x <= N::set(0.0))};
         };
-        // Rounding may have lifted a corner that touches above the wall's end.
-        const Mask level = height <= N::set(0.0);
+        // Rounding may have lifted a corner that touches above the wall's end, or ended its circle short of the wall.
+        const Mask sure = N::both(height <= N::set(0.0), N::opposite(just));
         if constexpr (N::alone) {
-            if (!level && !(exists && at_start().touches())) return;
+            if (!sure && !(exists && at_start().touches())) return;
         } else {
-            exists = N::either(level, N::both(exists, at_start().touches()));
+            exists = N::either(sure, N::both(exists, at_start().touches()));
         }
         consider(at, exists, at_start, meets, corner.index);
     }
 
     SNUG_INLINE void corner_meets_curb(const SeenCorner<Real>& corner, Real above, Real touch) {
-        const Crossing<Real> crossing = corner_on_ground<N>(corner, above);
-        const Mask exists = crossing.square >= N::set(0.0);
+        Crossing<Real> crossing = corner_on_ground<N>(corner, above);
+        const Mask just = just_reaches(crossing, corner.radius, touch);
+        Mask exists = crossing.square >= N::set(0.0);
         if constexpr (N::alone) {
             if (!exists) return;
         }
@@ -149,6 +160,7 @@ struct First {
             const Mask touching = N::both(N::abs(start_y + above) <= touch, start_x > N::set(0.0));
             return AtStart<N>{touching, N::never()};
         };
+        if (N::rarely(just)) exists = N::both(exists, N::either(N::opposite(just), at_start().touches()));
         consider(root<N>(crossing), exists, at_start, Meets::curb, corner.index);
     }
 
@@ -156,7 +168,8 @@ struct First {
     template <int Sign>
     SNUG_INLINE void corner_meets_top(const SeenCorner<Real>& corner, Real above, Real end, Mask high, Real touch,
                                       Meets meets) {
-        const Crossing<Real> crossing = corner_on_ground<N>(corner, above);
+        Crossing<Real> crossing = corner_on_ground<N>(corner, above);
+        const Mask just = just_reaches(crossing, corner.radius, touch);
         Mask exists = N::both(high, crossing.square >= N::set(0.0));
         if (N::none(exists)) return;
         const Root<Real> at = root<N>(crossing);
@@ -171,8 +184,8 @@ struct First {
             const Mask moves_onto = Sign > 0 ? start_y > N::set(0.0) : start_y < N::set(0.0);
             return AtStart<N>{N::both(touching, N::either(beyond_end > touch, moves_onto)), N::never()};
         };
-        const Mask at_end = beyond_end <= touch;
-        if (!N::none(at_end)) exists = N::both(exists, N::either(N::opposite(at_end), at_start().touching));
+        const Mask unsure = N::either(just, beyond_end <= touch);
+        if (!N::none(unsure)) exists = N::both(exists, N::either(N::opposite(unsure), at_start().touches()));
         consider(at, exists, at_start, meets, corner.index);
     }
 
@@ -180,7 +193,8 @@ struct First {
     template <class AnyNormal>
     SNUG_INLINE void edge_meets_corner(const SeenEdge<N>& edge, const AnyNormal& normal, Real gx, Real gy, Real touch,
                                        Meets meets) {
-        const Crossing<Real> crossing = point_on_edge<N>(gx, gy, normal, edge.distance);
+        Crossing<Real> crossing = point_on_edge<N>(gx, gy, normal, edge.distance);
+        const Mask just = just_reaches(crossing, N::abs(edge.distance), touch);
         const Root<Real> at = root<N>(crossing);
         // Both are false where there is no root.
         const Mask short_of_end = at.across <= edge.to + touch;
@@ -199,7 +213,9 @@ struct First {
             const Mask before = N::both(start_along <= edge.from + touch, edge.slips_back);
             return AtStart<N>{touching, N::either(beyond, before)};
         };
-        consider(at, N::both(short_of_end, past_start), at_start, meets, edge.index);
+        Mask exists = N::both(short_of_end, past_start);
+        if (N::rarely(just)) exists = N::both(exists, N::either(N::opposite(just), at_start().touches()));
+        consider(at, exists, at_start, meets, edge.index);
     }
 
     /// Everything but the edges. `at_curb` is the lowest corner of what stops at the curb.
