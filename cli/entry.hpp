@@ -33,7 +33,7 @@ std::string entry_text(const EntryQuestion& question, const Answer& answer,
 std::string fewest_text(const EntryQuestion& question, int max_changes, const Answer& answer);
 
 /// How to leave, move by move, and what is proved.
-std::string leave_text(const EntryQuestion& question, int max_changes, const Answer& answer);
+std::string leave_text(const EntryQuestion& question, const FewestOptions& options, const Answer& answer);
 
 /// One row per range of entry headings.
 std::string entry_csv(const Answer& answer);

@@ -14,7 +14,6 @@
 namespace snug::cli {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr std::size_t most_ranges = 20;
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -272,6 +271,7 @@ std::string proof(const Answer& answer) {
     if (!answer.direction_changes) return "";
     const std::string fewer = "No maneuver has fewer";
     if (answer.proved) return "\n" + fewer + ": proved.\n";
+    if (answer.lower_bound == 0) return "\nWhether fewer would do is not known.\n";
     return "\n" + fewer + " than " + std::to_string(answer.lower_bound) + "; whether " +
            std::to_string(answer.lower_bound) + (*answer.direction_changes - answer.lower_bound > 1 ? " or more" : "") +
            " would do is not known.\n";
@@ -300,12 +300,15 @@ std::string fewest_text(const EntryQuestion& question, int max_changes, const An
     return entry_text(question, as_entry) + proof(answer);
 }
 
-std::string leave_text(const EntryQuestion& question, int max_changes, const Answer& answer) {
-    if (!answer.maneuver) return no_way(question, "leave", max_changes, answer);
+std::string leave_text(const EntryQuestion& question, const FewestOptions& options, const Answer& answer) {
+    if (!answer.maneuver) return no_way(question, "leave", options.max_changes, answer);
+    // Where time ran out the way may still have more pieces than it needs.
+    const bool chosen = answer.proved || options.time_limit == std::numeric_limits<double>::infinity();
     return name(question.car) + " leaves " + slot_words(question.slot) + "\nwith " +
            changes(*answer.direction_changes) + ".\n" + moves(question, *answer.maneuver, "the way is free") +
-           "\nOf the ways out with as few changes one that keeps its distance, with few\n"
-           "pieces, and with full or straight steering where that costs nothing.\n" +
+           (chosen ? "\nOf the ways out with as few changes one that keeps its distance, with few\n"
+                     "pieces, and with full or straight steering where that costs nothing.\n"
+                   : "\nFound before the time was up; there may be simpler ways.\n") +
            proof(answer);
 }
 

@@ -6,6 +6,7 @@
 #include "cli/output.hpp"
 #include "cli/park.hpp"
 #include "cli/progress.hpp"
+#include "cli/way_out.hpp"
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
 #include "snug/limits.hpp"
@@ -123,8 +124,10 @@ Action parse_leave(const Arguments& arguments) {
             write_file("--draw", files.picture->path,
                        draw_maneuver(question.slot, *answer.maneuver, files.picture->format, drawn));
         }
-        put_out(files.path, files.format == Format::json ? leave_json(question, answer)
-                                                         : leave_text(question, limited.max_changes, answer));
+        std::string text =
+            files.format == Format::json ? leave_json(question, answer) : leave_text(question, limited, answer);
+        if (files.format == Format::text && !answer.maneuver) text += way_out_text(question, pose, limited);
+        put_out(files.path, text);
         return exit_code(answer);
     };
 }

@@ -8,6 +8,7 @@
 #include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/way_out.hpp"
 #include "sentences/check.hpp"
 #include "snug/draw.hpp"
 #include "snug/error.hpp"
@@ -246,7 +247,9 @@ Action park_action(const ParkQuestion& question, const ParkFiles& files) {
             write_file("--draw", files.picture->path,
                        files.view == ParkView::map ? drawn_map(*files.picture, question)
                                                    : drawn(*files.picture, question, answer));
-        put_out(files.path, written(files.format, question, answer));
+        std::string text = written(files.format, question, answer);
+        if (files.format == Format::text && !answer.maneuver && interruption() == 0) text += way_out_text(question);
+        put_out(files.path, text);
         return interruption() != 0 ? interruption() : exit_code(answer);
     };
 }

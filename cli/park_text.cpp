@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "cli/park.hpp"
@@ -12,7 +13,6 @@
 namespace snug::cli {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double near = 3.0;  ///< what is farther away is not spoken of [m]
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -114,6 +114,14 @@ std::string moves(const ParkQuestion& question, const ParkAnswer& answer) {
     return "\nWhat to do (full steering: " + full + kept + ")\n" + table(rows, "rllrl");
 }
 
+/// A bay whose length and width were taken for one another is likely where the car ends across it.
+std::string across(const ParkQuestion& question, const Pose& goal) {
+    if (!question.street || question.leaving) return "";
+    if (std::abs(off(goal.heading - parked_heading(question.scene.place))) < 45.0) return "";
+    return "\nIt ends across the slot: --length is measured along the parked car, --width\n"
+           "across it; --parked-heading DEG asks for a heading nearer to the parked one.\n";
+}
+
 std::string result(const ParkQuestion& question, const ParkAnswer& answer) {
     const bool stays = answer.maneuver->moves.empty();
     const Pose goal = stays ? question.scene.start : answer.maneuver->goal();
@@ -125,7 +133,7 @@ std::string result(const ParkQuestion& question, const ParkAnswer& answer) {
     for (std::vector<std::string>& row : distances(question, goal)) rows.push_back(std::move(row));
     rows.push_back({"angle", fixed(std::abs(off(goal.heading - parked_heading(question.scene.place))), 3) +
                                  (question.leaving ? " deg off the street's heading" : " deg off the parked heading")});
-    return "\nHow it ends\n" + table(rows, "ll");
+    return "\nHow it ends\n" + table(rows, "ll") + across(question, goal);
 }
 
 /// How near the car comes to anything on the way.
@@ -170,9 +178,18 @@ std::string proof(const ParkAnswer& answer) {
     if (answer.proved)
         return "\nNo maneuver has fewer: proved" +
                std::string(answer.lower_bound == 0 ? "" : ", for all that stay in the region") + ".\n";
+    if (answer.lower_bound == 0) return "\nWhether fewer would do is not known.\n";
     const bool more = *answer.direction_changes - answer.lower_bound > 1;
     return "\nNo maneuver in the region has fewer than " + bound + "; whether " + bound + (more ? " or more" : "") +
            " would do\nis not known.\n";
+}
+
+/// Length and width may have been taken for one another: a bay's length is its depth.
+std::string exchanged(const ParkQuestion& question, const Driving& driving) {
+    Street other = *question.street;
+    std::swap(other.length, other.width);
+    if (!words(shortfall(question.car, slot_of(other), driving), driving.clearance).empty()) return "";
+    return "The other way round it fits: --length is measured along the parked car,\n--width across it.\n";
 }
 
 /// Why there is no maneuver, as far as that is known.
@@ -185,7 +202,7 @@ std::string refusal(const ParkQuestion& question, const ParkAnswer& answer) {
         driving.curb_clearance = question.street->curb_clearance;
         const std::string lacking =
             words(shortfall(question.car, slot_of(*question.street), driving), driving.clearance);
-        if (!lacking.empty()) return begins + "the slot is " + lacking + ".\n";
+        if (!lacking.empty()) return begins + "the slot is " + lacking + ".\n" + exchanged(question, driving);
     }
     if (answer.impossible)
         return begins +

@@ -5,18 +5,19 @@
 #include <cmath>
 #include <functional>
 
+#include "cli/interrupt.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
 #include "sentences/check.hpp"
 #include "snug/any_maneuver.hpp"
 #include "snug/error.hpp"
+#include "snug/leave.hpp"
 #include "snug/limits.hpp"
 #include "snug/min_slot.hpp"
 
 namespace snug::cli {
 namespace {
 
-constexpr double millimetre = 1e-3;
 constexpr double patience = 2.0;  // for each of the answers [s]: a lattice so coarse takes some hundredths of it
 
 /// Coarse enough to be quick: the spacing decides where the search ends, and hardly ever the clock.
@@ -94,6 +95,20 @@ std::optional<double> less_clearance(const EntryQuestion& question, Strategy str
     return less * millimetre;
 }
 
+using Rows = std::vector<std::vector<std::string>>;
+
+/// By how much more it will do, in whole centimetres and at most so many metres; each is tried.
+std::optional<double> least_more(double most, const std::function<bool(double)>& will_do) {
+    constexpr double centimetre = 0.01;
+    double less = 0.0, more = std::round(most / centimetre);
+    if (!will_do(most)) return std::nullopt;
+    while (more - less > 1.0) {
+        const double middle = std::floor((less + more) / 2.0);
+        (will_do(middle * centimetre) ? more : less) = middle;
+    }
+    return more * centimetre;
+}
+
 /// A size to type, without what adding binary numbers leaves behind.
 std::string exactly(double size) { return spelled(std::round(size * 1e9) / 1e9); }
 
@@ -140,7 +155,7 @@ WayOut way_out(const EntryQuestion& question, Strategy strategy, int most_change
 }
 
 std::string way_out_text(const EntryQuestion& question, const WayOut& out) {
-    std::vector<std::vector<std::string>> rows;
+    Rows rows;
     if (out.changes)
         rows.push_back({"more changes", changes(*out.changes), "--max-changes " + std::to_string(*out.changes)});
     if (out.any && out.any->direction_changes)
@@ -158,6 +173,113 @@ std::string way_out_text(const EntryQuestion& question, const WayOut& out) {
     if (out.any && !out.any->direction_changes && out.any->proved)
         text += "\nNo other maneuver parks either, with up to " + changes(limits::usual_changes) + ": proved.\n";
     return text;
+}
+
+namespace {
+
+constexpr double one_try = 0.25;                    ///< for one place that is tried [s]
+constexpr double much_slot = 1.0, much_road = 4.0;  ///< more is not thought of [m]
+
+/// The fewest changes if more than `allowed` do, as a row.
+template <class Options, class Solve>
+void add_more_changes(Rows& rows, Options options, const Solve& solve) {
+    if (options.max_changes >= limits::usual_changes) return;
+    options.max_changes = limits::usual_changes;
+    options.time_limit = patience;
+    if (const auto count = solve(options).direction_changes)
+        rows.push_back({"more changes", changes(*count), "--max-changes " + std::to_string(*count)});
+}
+
+/// The largest clearance in whole centimetres that does, as a row.
+void add_less_clearance(Rows& rows, double asked, const std::function<bool(double)>& will_do) {
+    if (asked <= 0.0 || !will_do(0.0)) return;
+    const auto given_up = [&](double less) { return asked - less <= 0.0 || will_do(asked - less); };
+    const std::optional<double> less = least_more(asked, given_up);
+    const double kept = less ? std::max(0.0, std::floor((asked - *less) / millimetre + 0.5) * millimetre) : 0.0;
+    rows.push_back({"less clearance", metres(kept), "--clearance " + fixed(kept, 3)});
+}
+
+void add(Rows& rows, const char* what, const char* option, double size, const std::optional<double>& by) {
+    if (by) rows.push_back({what, "by " + metres(*by), std::string(option) + " " + exactly(size + *by)});
+}
+
+std::string what_would_do(const Rows& rows) { return rows.empty() ? "" : "\nWhat would do\n" + table(rows, "lll"); }
+
+}  // namespace
+
+std::string way_out_text(const ParkQuestion& question) {
+    ParkOptions options = question.options;
+    if (options.time_limit < std::numeric_limits<double>::infinity()) return "";
+    options.roomiest = false;
+    options.resolution = std::max(options.resolution, question.car.length() / 200.0);
+    options.progress = [](const ParkProgress&) { return interruption() == 0; };
+    const Pose& start = question.scene.start;
+    Rows rows;
+    const auto solve = [&](const ParkOptions& asked) { return park(question.car, question.scene.place, start, asked); };
+    add_more_changes(rows, options, solve);
+    options.time_limit = one_try;
+    // A place in which the car would collide at the start is one that will not do.
+    const auto parks = [&](const Place& place, const ParkOptions& asked) {
+        try {
+            return park(question.car, place, start, asked).parkable();
+        } catch (const Error&) {
+            return false;
+        }
+    };
+    if (question.street) {
+        const Street& street = *question.street;
+        const auto in = [&](const Street& larger) {
+            return parks(question.leaving ? road_place(larger) : street_place(larger), options);
+        };
+        const auto enlarged = [&](double Street::*size) {
+            return least_more(much_slot, [&](double by) {
+                Street larger = street;
+                larger.*size += by;
+                return in(larger);
+            });
+        };
+        if (street.road)
+            add(rows, "a wider road", "--road", *street.road, least_more(much_road, [&](double by) {
+                    Street larger = street;
+                    *larger.road += by;
+                    return in(larger);
+                }));
+        add(rows, "a longer slot", "--length", street.length, enlarged(&Street::length));
+        add(rows, "a wider slot", "--width", street.width, enlarged(&Street::width));
+    }
+    add_less_clearance(rows, options.clearance, [&](double clearance) {
+        ParkOptions nearer = options;
+        nearer.clearance = clearance;
+        return parks(question.scene.place, nearer);
+    });
+    return what_would_do(rows);
+}
+
+std::string way_out_text(const EntryQuestion& question, const Pose& parked, const FewestOptions& asked) {
+    FewestOptions options = asked;
+    if (options.time_limit < std::numeric_limits<double>::infinity()) return "";
+    options.roomiest = false;
+    options.resolution = std::max(options.resolution, coarse(question.car));
+    options.progress = nullptr;
+    const auto leaves = [&](const Slot& slot, const FewestOptions& limited) {
+        try {
+            return leave(question.car, slot, parked, limited).parkable();
+        } catch (const Error&) {
+            return false;
+        }
+    };
+    Rows rows;
+    add_more_changes(rows, options,
+                     [&](const FewestOptions& more) { return leave(question.car, question.slot, parked, more); });
+    options.time_limit = one_try;
+    add(rows, "a longer slot", "--length", question.slot.length(),
+        least_more(much_slot, [&](double by) { return leaves(resized(question.slot, by, 0.0), options); }));
+    add_less_clearance(rows, options.driving.clearance, [&](double clearance) {
+        FewestOptions nearer = options;
+        nearer.driving.clearance = clearance;
+        return leaves(question.slot, nearer);
+    });
+    return what_would_do(rows);
 }
 
 std::string fewer_text(int changes_needed, const std::optional<Answer>& any) {

@@ -6,6 +6,7 @@
 
 #include "cli/entry.hpp"
 #include "cli/min_slot.hpp"
+#include "cli/park.hpp"
 
 namespace snug::cli {
 
@@ -26,6 +27,11 @@ WayOut way_out(const EntryQuestion& question, Strategy strategy, int most_change
 
 /// In words, with the options to give; empty when nothing is known to do.
 std::string way_out_text(const EntryQuestion& question, const WayOut& out);
+
+/// The same for a car that starts where it stands: what more changes, more room or less clearance would do, tried from there.
+std::string way_out_text(const ParkQuestion& question);
+/// And for one that is to leave its slot onto an open road.
+std::string way_out_text(const EntryQuestion& question, const Pose& parked, const FewestOptions& options);
 
 /// A line about a count that is not the fewest; empty when it may be.
 std::string fewer_text(int changes, const std::optional<Answer>& any);

@@ -76,6 +76,19 @@ std::vector<SheetCar> sheet_cars() {
                    "https://media.lexus.co.uk/wp-content/uploads/sites/3/pdf/240809-NX-Tech-Specs.pdf\n"
                    "written down in github.com/FabienD/swept-path, data/vehicles.json\n"
                    "The NX 450h+. The width is the sheet's with mirrors folded, so the body is no wider."},
+             Sheet{"mazda-cx-3", 1765, 2570, 910, 795, 2 * 5.3,
+                   "Motor Fan, Mazda's CX-3, CX-30, CX-5 and CX-4 compared", "radius 5.3 m, curb or wall not said",
+                   "https://motor-fan.jp/mf/article/2845/\n"
+                   "Circle: Web Cartop, September 2019, https://webcartop.jp/2019/09/428207"},
+             Sheet{"mazda-cx-30", 1795, 2655, 915, 825, 2 * 5.3,
+                   "Motor Fan, Mazda's CX-3, CX-30, CX-5 and CX-4 compared", "radius 5.3 m, curb or wall not said",
+                   "https://motor-fan.jp/mf/article/2845/\n"
+                   "Circle: Web Cartop, September 2019, https://webcartop.jp/2019/09/428207"},
+             Sheet{"mazda-cx-5", 1840, 2700, 945, 900, 2 * 5.5,
+                   "Motor Fan, Mazda's CX-3, CX-30, CX-5 and CX-4 compared", "radius 5.5 m, curb or wall not said",
+                   "https://motor-fan.jp/mf/article/2845/\n"
+                   "Circle: clicccar, December 2016, https://clicccar.com/2016/12/09/424822\n"
+                   "The second generation."},
              Sheet{"mazda-mx-5", 1735, 2310, 760, 845, 2 * 4.7, "Mazda Thailand, MX-5 35th Anniversary, specification",
                    "radius 4.7 m, curb to curb",
                    "https://www.mazda.co.th/th/cars/mazda-mx5-35th/spec\n"

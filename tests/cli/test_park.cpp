@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "process.hpp"
+#include "sample.hpp"
 #include "snug/io.hpp"
 
 namespace snug::test {
@@ -51,6 +52,14 @@ void expect_connected(const Json& json) {
     EXPECT_EQ(maneuver["goal"], at);
     EXPECT_EQ(maneuver["direction_changes"], changes);
     EXPECT_NEAR(maneuver["length"].get<double>(), length, 1e-9);
+}
+
+TEST(ParkCommand, SaysThatItEndsAcrossABayWhoseSidesWereTakenForOneAnother) {
+    const Result across = run(park + "--length 2.3 --width 5 --road 4 --angle 90");
+    ASSERT_EQ(across.exit_code, 0) << across.err;
+    EXPECT_NE(across.out.find("ends across the slot: --length is measured along the parked car"), across.out.npos)
+        << across.out;
+    EXPECT_EQ(run(bay).out.find("ends across"), std::string::npos);
 }
 
 TEST(ParkCommand, SteersOnlyWhileItRolls) {
@@ -204,6 +213,101 @@ TEST(ParkCommand, CasesOfTheBenchmarkAreRead) {
     const Json json = Json::parse(run(park + "--format json --scene " + file).out);
     EXPECT_EQ(json["scene"]["parked"]["pose"], Json({6.2, 1.0, 0.0}));
     expect_connected(json);
+}
+
+/// Places like those of the benchmark, whose files have no licence: docs/peers.md has the table.
+TEST(ParkCommand, PlacesLikeThoseOfTheBenchmarkTakeWhatTheDocumentSays) {
+    const std::filesystem::path docs = std::filesystem::path(SNUG_ROOT) / "docs", scenes = docs / "scenes";
+    const std::string table = contents(docs / "peers.md");
+    int shown = 0;
+    for (const std::string place : {"bay", "narrow-aisle", "slanted", "yard", "kerbside"}) {
+        if (place == "kerbside" && !is_set("SNUG_SOAK")) continue;  // takes several seconds
+        const Result result = run("park --car " + (scenes / "car.json").string() + " --scene " +
+                                  (scenes / (place + ".json")).string() + " --format json");
+        ASSERT_EQ(result.exit_code, 0) << place << ": " << result.err;
+        const Json json = Json::parse(result.out);
+        EXPECT_EQ(json["proved"], true) << place;
+        const std::string row =
+            "`" + place + "` | " + std::to_string(json["direction_changes"].get<int>()) + ", proved |";
+        EXPECT_NE(table.find(row), table.npos) << row;
+        ++shown;
+    }
+    EXPECT_GE(shown, 4);
+}
+
+/// Where other planners were set beside it; docs/peers.md has the table.
+TEST(ParkCommand, TheStreetsOfThePeersTakeWhatTheDocumentSays) {
+    const std::string table = contents(std::filesystem::path(SNUG_ROOT) / "docs" / "peers.md");
+    for (const std::string length : {"5.2", "4.8"}) {
+        const Result result = run(park + "--length " + length + " --width 2 --road 3.5 --from 2,1.75,0 --format json");
+        const Json json = Json::parse(result.out);
+        EXPECT_EQ(json["proved"], true) << length;
+        const std::string row =
+            "| " + length + " x 2.0 m | " + std::to_string(json["direction_changes"].get<int>()) + ", proved |";
+        EXPECT_NE(table.find(row), table.npos) << row;
+    }
+}
+
+/// A no says what would do, and what it says does.
+TEST(ParkCommand, ANoNamesAWayOutThatDoes) {
+    const auto last_words = [](const std::string& text, const std::string& row) {
+        const std::size_t at = text.find("  " + row);
+        if (at == text.npos) return std::string();
+        const std::string line = text.substr(at, text.find('\n', at) - at);
+        return line.substr(line.find("--"));
+    };
+    const std::string narrow = park + "--width 2 --from 2,1.5,0 ";
+    const Result changes = run(narrow + "--length 4.8 --road 3.5 --max-changes 2");
+    EXPECT_EQ(changes.exit_code, 1);
+    EXPECT_EQ(last_words(changes.out, "more changes"), "--max-changes 3") << changes.out;
+
+    const Result tight = run(narrow + "--length 5.2 --road 3.5 --max-changes 0");
+    EXPECT_EQ(tight.exit_code, 1);
+    const std::string longer = last_words(tight.out, "a longer slot");
+    ASSERT_NE(longer, "") << tight.out;
+    EXPECT_EQ(run(narrow + longer + " --road 3.5 --max-changes 0").exit_code, 0) << longer;
+
+    const Result wall = run(park + "--length 5 --width 2.1 --angle 90 --road 3 --enter forward");
+    EXPECT_EQ(wall.exit_code, 1);
+    EXPECT_NE(last_words(wall.out, "a wider road"), "") << wall.out;
+    EXPECT_EQ(run(park + "--length 5 --width 2.1 --angle 90 --enter forward --from " +
+                  [] {  // where the car stood beside the narrow road
+                      const Json json = Json::parse(
+                          run(park + "--length 5 --width 2.1 --angle 90 --road 3 --enter forward --format json").out);
+                      std::ostringstream pose;
+                      pose.precision(17);
+                      pose << json["start"]["x"].get<double>() << "," << json["start"]["y"].get<double>() << ","
+                           << json["start"]["heading"].get<double>();
+                      return pose.str();
+                  }() +
+                  " " + last_words(wall.out, "a wider road"))
+                  .exit_code,
+              0);
+
+    const Result near = run(narrow + "--length 5.2 --road 3.5 --clearance 0.3");
+    const std::string less = last_words(near.out, "less clearance");
+    ASSERT_NE(less, "") << near.out;
+    EXPECT_EQ(run(narrow + "--length 5.2 --road 3.5 " + less).exit_code, 0) << less;
+}
+
+TEST(LeaveCommand, ANoNamesAWayOutThatDoes) {
+    const std::string leave = "leave --car renault-zoe --width 2 --gap-front 0.5 --gap-curb 0.1 ";
+    const Result no = run(leave + "--length 5.2 --max-changes 2");
+    EXPECT_EQ(no.exit_code, 1);
+    EXPECT_NE(no.out.find("more changes   3 direction changes  --max-changes 3"), no.out.npos) << no.out;
+    const std::size_t at = no.out.find("--length ");
+    ASSERT_NE(at, no.out.npos) << no.out;
+    EXPECT_EQ(run(leave + no.out.substr(at, no.out.find('\n', at) - at) + " --max-changes 2").exit_code, 0);
+}
+
+TEST(LeaveCommand, WhereTimeRanOutNothingIsClaimedOfTheWay) {
+    const Result found =
+        run("leave --car mid-size --length 5.6 --width 2.1 --gap-front 0.4 --gap-curb 0.15 --time-limit 0.01");
+    EXPECT_EQ(found.exit_code, 0) << found.out;  // what can be found in a millisecond is found first
+    if (found.out.find("not known") != found.out.npos) {
+        EXPECT_NE(found.out.find("Found before the time was up"), found.out.npos) << found.out;
+        EXPECT_EQ(found.out.find("fewer than 0"), found.out.npos) << found.out;
+    }
 }
 
 TEST(ParkCommand, PlacesFarOutInTheWorldAreTheSame) {

@@ -19,11 +19,14 @@ namespace {
 using namespace park_test;
 using snug::Direction;
 
+/// A soak follows more than ten million places; SNUG_FIRST and SNUG_CASES choose some of its slots.
 TEST(OuterSets, HoldEveryPlaceOfRandomManeuversOutOfTheSlot) {
-    const int count = snug::test::sample(24, 400);
+    const int first = static_cast<int>(snug::test::number("SNUG_FIRST", 0));
+    const int count =
+        static_cast<int>(snug::test::number("SNUG_CASES", static_cast<std::uint64_t>(snug::test::sample(24, 400))));
     const int maneuvers = snug::test::sample(400, 4000);
     long long states = 0;
-    for (int i = 0; i < count; ++i) {
+    for (int i = first; i < first + count; ++i) {
         const Case asked = random_case(static_cast<std::uint64_t>(100000 + i));
         SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
         Random random(static_cast<std::uint64_t>(7000000 + i));
