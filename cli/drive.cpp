@@ -117,13 +117,9 @@ std::string drawn(const PictureFile& picture, const ParkQuestion& question, cons
     PictureOptions options;
     options.driving.clearance = answer.margin;
     for (const DriveRun& run : answer.runs) options.tracks.push_back(run.track);
-    ParkAnswer planned;
-    planned.maneuver = answer.planned;
-    if (answer.planned) planned.direction_changes = answer.planned_changes;
-    planned.lower_bound = answer.lower_bound;
     if (question.street)
-        return draw_park(question.car, *question.street, question.scene.start, planned, picture.format, options);
-    return draw_park(question.car, question.scene, planned, picture.format, options);
+        return draw_park(question.car, *question.street, question.scene.start, answer.plan(), picture.format, options);
+    return draw_park(question.car, question.scene, answer.plan(), picture.format, options);
 }
 
 bool enough(const DriveOptions& options, const DriveAnswer& answer) {

@@ -13,7 +13,6 @@
 namespace snug::cli {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double near = 3.0;  ///< what is farther away is not spoken of [m]
 
 using Rows = std::vector<std::vector<std::string>>;

@@ -134,13 +134,19 @@ PackedHead head_of(const Car& car, const Place& place, const ParkMapOptions& opt
 
 /// Eight bytes at a time.
 std::uint64_t sum_of(const std::byte* from, std::size_t size) {
-    std::uint64_t sum = size;
-    for (std::size_t i = 0; i < size; i += sizeof sum) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, from + i, std::min(sizeof word, size - i));
+    std::uint64_t sum = size, word = 0;
+    const auto add = [&] {
         sum = (sum ^ word) * 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio: no bit of the word is lost
         sum ^= sum >> 32;
+    };
+    std::size_t i = 0;
+    for (; i + sizeof word <= size; i += sizeof word) {
+        std::memcpy(&word, from + i, sizeof word);
+        add();
     }
+    word = 0;
+    std::memcpy(&word, from + i, size - i);
+    add();
     return sum;
 }
 
@@ -156,10 +162,10 @@ std::vector<std::byte> ParkMap::packed() const {
 }
 
 ParkMap ParkMap::unpacked(const Car& car, const Place& place, const ParkMapOptions& options,
-                          const std::vector<std::byte>& bytes) {
+                          std::span<const std::byte> bytes) {
     ParkMapOptions asked = options;
     if (asked.spacing == 0.0) asked.spacing = usual_spacing(car);
-    detail::Unpacking unpack(bytes.data(), bytes.size());
+    detail::Unpacking unpack(bytes);
     PackedHead head;
     unpack(head);
     const PackedHead expected = head_of(car, place, asked);
@@ -175,7 +181,7 @@ ParkMap ParkMap::unpacked(const Car& car, const Place& place, const ParkMapOptio
 }
 
 ParkMap ParkMap::unpacked(const Car& car, const Street& street, const ParkMapOptions& options,
-                          const std::vector<std::byte>& bytes) {
+                          std::span<const std::byte> bytes) {
     return unpacked(car, street_place(street), of_street(street, options), bytes);
 }
 

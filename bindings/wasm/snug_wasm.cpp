@@ -4,6 +4,7 @@
 #include <emscripten/val.h>
 
 #include <cstdint>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -445,10 +446,11 @@ val unpack_question(const val& given_car, const val& given_place, const val& giv
                   [&](const Car& car, const Place& place, const ParkMapOptions& options) {
                       if (!given_bytes.instanceof (val::global("Uint8Array")))
                           throw Error("the packed map must be a Uint8Array");
-                      std::vector<std::byte> bytes(given_bytes["length"].as<std::size_t>());
-                      val(emscripten::typed_memory_view(bytes.size(), reinterpret_cast<unsigned char*>(bytes.data())))
+                      const auto size = given_bytes["length"].as<std::size_t>();
+                      const std::unique_ptr<std::byte[]> bytes(new std::byte[size]);  // not zeros first: a frame waits
+                      val(emscripten::typed_memory_view(size, reinterpret_cast<unsigned char*>(bytes.get())))
                           .call<void>("set", given_bytes);
-                      return ParkMap::unpacked(car, place, options, bytes);
+                      return ParkMap::unpacked(car, place, options, {bytes.get(), size});
                   });
 }
 

@@ -10,6 +10,7 @@
 
 #include "snug/assistant.hpp"
 #include "snug/car.hpp"
+#include "snug/park.hpp"
 #include "snug/place.hpp"
 #include "snug/rolling.hpp"
 #include "snug/trajectory.hpp"
@@ -87,6 +88,14 @@ struct DriveAnswer {
     std::optional<int> standing_changes;
     std::vector<DriveRun> runs;
 
+    /// What was planned, as park() would answer it.
+    [[nodiscard]] ParkAnswer plan() const {
+        ParkAnswer answer;
+        answer.maneuver = planned;
+        if (planned) answer.direction_changes = planned_changes;
+        answer.lower_bound = lower_bound;
+        return answer;
+    }
     [[nodiscard]] int parked() const {
         int count = 0;
         for (const DriveRun& run : runs) count += run.parked ? 1 : 0;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -64,9 +65,9 @@ public:
     /// With the car, place and options it was made with. Throws Error when the bytes are damaged, or another version's or another
     /// map's. They are trusted otherwise: read none that a stranger made.
     static ParkMap unpacked(const Car& car, const Place& place, const ParkMapOptions& options,
-                            const std::vector<std::byte>& bytes);
+                            std::span<const std::byte> bytes);
     static ParkMap unpacked(const Car& car, const Street& street, const ParkMapOptions& options,
-                            const std::vector<std::byte>& bytes);
+                            std::span<const std::byte> bytes);
 
     [[nodiscard]] MapBounds at(const Pose& pose) const;
     /// From there until parked, with as many changes as at() says, or fewer; each piece is checked by exact contact. Empty where none is

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -24,10 +25,8 @@ public:
 
 private:
     void add(const void* from, std::size_t size) {
-        if (size == 0) return;
-        const std::size_t at = bytes.size();
-        bytes.resize(at + size);
-        std::memcpy(bytes.data() + at, from, size);
+        const auto* first = static_cast<const std::byte*>(from);
+        bytes.insert(bytes.end(), first, first + size);
     }
     template <class Part>
     void one(const Part& part) {
@@ -50,7 +49,7 @@ private:
 /// Throws Error where there is less than is asked for.
 class Unpacking {
 public:
-    Unpacking(const std::byte* from, std::size_t size) : next_(from), left_(size) {}
+    explicit Unpacking(std::span<const std::byte> from) : next_(from.data()), left_(from.size()) {}
 
     template <class... Parts>
     void operator()(Parts&... parts) {

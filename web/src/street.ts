@@ -113,7 +113,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         // The knob that turns the car is ahead of it.
         const ahead = s.car.front + (narrow ? 1.5 : 1);
         const knob = { x: s.pose.x + ahead * Math.cos(s.pose.heading), y: s.pose.y + ahead * Math.sin(s.pose.heading) };
-        const goal = s.street.out ? 1.3 * own : 0; // out on the road
+        const goal = s.street.out ? 0.8 * own : 0; // out on the road
         return extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside + goal, y: high }, ...stands, knob]);
     };
 

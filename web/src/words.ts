@@ -12,6 +12,7 @@ const angle = (heading: number, digits = 2) => `${degrees(heading).toFixed(digit
 const say = (verdict: string, state: "fits" | "not" | "open", count: string, unit: string, note: string) => {
     setText(byId("verdict"), verdict);
     setText(byId("count"), count);
+    set(byId("count"), { "data-long": count.length > 2 ? "" : null });
     setText(byId("count-unit"), unit);
     setText(byId("count-note"), note);
     byId("answer").dataset.state = state;
