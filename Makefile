@@ -20,9 +20,13 @@ demo: setup
 # Everything that can fail, the quickest first.
 test: check-format check-tidy build
 	ctest --preset release --parallel $(JOBS)
-	$(MAKE) web-test
+	$(MAKE) web-page
 	cmake --preset sanitize
-	cmake --build --preset sanitize --parallel $(JOBS)
+	@echo "The page's tests run beside this build, for they mostly wait; they write to build/web/tests.log"
+	@mkdir -p build/web
+	@(cd web && exec npm test) >build/web/tests.log 2>&1 & page=$$!; trap 'kill $$page' INT TERM; \
+	    cmake --build --preset sanitize --parallel $(JOBS); built=$$?; \
+	    wait $$page || { cat build/web/tests.log; exit 1; }; exit $$built
 	ctest --preset sanitize --parallel $(JOBS)
 	ctest --preset sanitize-command --parallel $(JOBS)
 	cmake --preset threads

@@ -100,9 +100,9 @@ Connection open_database(const std::string& path, bool may_be_empty) {
         }
         if (pragma(connection, "PRAGMA application_id") != application)
             throw Error(file + " is a database of another program; give one that snug atlas build has made");
-        const int version = pragma(connection, "PRAGMA user_version");
-        if (version != schema_version)
-            throw Error(file + " has version " + std::to_string(version) + " of the atlas's tables, and snug " +
+        const int found = pragma(connection, "PRAGMA user_version");
+        if (found != schema_version)
+            throw Error(file + " has version " + std::to_string(found) + " of the atlas's tables, and snug " +
                         SNUG_VERSION + " knows version " + std::to_string(schema_version) +
                         "; take the snug that made it, or build it again");
         return connection;

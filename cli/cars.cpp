@@ -1,17 +1,14 @@
 // snug cars: the cars known by name and where their numbers are from, or one car in detail.
-#include <numbers>
-
 #include "cli/command.hpp"
 #include "cli/groups.hpp"
 #include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "cli/table.hpp"
+#include "cli/words.hpp"
 #include "snug/io.hpp"
 
 namespace snug::cli {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 constexpr const char* examples =
     "A car file is a JSON object with lengths in metres and one of max_steer\n"

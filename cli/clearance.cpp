@@ -84,10 +84,6 @@ KeptClearance by_any_maneuver(const ClearanceQuestion& question, int max_changes
     return kept;
 }
 
-/// Rounded down: no more than what is kept. [m]
-std::string at_most(double clearance) { return fixed(std::floor(clearance * 1e3 + 1e-6) / 1e3, 3); }
-std::string at_least(double clearance) { return fixed(std::ceil(clearance * 1e3 - 1e-6) / 1e3, 3); }
-
 }  // namespace
 
 std::vector<KeptClearance> kept_clearances(const ClearanceQuestion& question) {

@@ -18,6 +18,8 @@
 namespace snug::cli {
 namespace {
 
+using Rows = std::vector<std::vector<std::string>>;
+
 constexpr const char* purpose =
     "The plan of `snug park` driven many times by a simulated car whose measurements\n"
     "and wheels err, and that looks again: how many runs park, with how many changes.";
@@ -56,8 +58,7 @@ struct Asked {
           rate(options.number("--rate", "P", "Share of the runs that must park (0.999).", {"", 0.0, 1.0})),
           spacing(options.number("--resolution", "M", "Spacing of the map the car plans on [m] (0.08).",
                                  {" m", 0.001, 10.0})),
-          steer(options.choice<Steer>("--steer", "STEER", "standing (default): the steering turns at standstill.",
-                                      {{"standing", Steer::standing}})),
+          steer(steer_option(options)),
           blind(options.choice<bool>("--look", "LOOK",
                                      "again (default), or once: the plan is driven to its\nend without looking again.",
                                      {{"again", false}, {"once", true}})),
@@ -105,6 +106,7 @@ DriveOptions drive_options(const Asked& asked) {
     options.rate = asked.rate.value_or(options.rate);
     options.spacing = asked.spacing.value_or(0.0);
     options.blind = asked.blind.value_or(false);
+    options.steer = asked.steer.value_or(Steer::standing);
     options.runs = asked.runs.value_or(options.runs);
     options.seed = static_cast<std::uint64_t>(asked.seed.value_or(1));
     options.threads = asked.threads.value_or(0);
@@ -115,18 +117,27 @@ std::string drawn(const PictureFile& picture, const ParkQuestion& question, cons
     PictureOptions options;
     options.driving.clearance = answer.margin;
     for (const DriveRun& run : answer.runs) options.tracks.push_back(run.track);
-    ParkAnswer planned;
-    planned.maneuver = answer.planned;
-    if (answer.planned) planned.direction_changes = answer.planned_changes;
-    planned.lower_bound = answer.lower_bound;
     if (question.street)
-        return draw_park(question.car, *question.street, question.scene.start, planned, picture.format, options);
-    return draw_park(question.car, question.scene, planned, picture.format, options);
+        return draw_park(question.car, *question.street, question.scene.start, answer.plan(), picture.format, options);
+    return draw_park(question.car, question.scene, answer.plan(), picture.format, options);
 }
 
 bool enough(const DriveOptions& options, const DriveAnswer& answer) {
     return answer.plannable && !answer.runs.empty() &&
            answer.parked() >= options.rate * static_cast<double>(answer.runs.size());
+}
+
+/// How often the wheels turn at standstill.
+Rows how_often_it_stands(const DriveOptions& options, const DriveAnswer& answer, const DriveTotals& all) {
+    Rows rows = {{"steered", "at standstill " + fixed(all.mean_standing_steers, 2) + " times on average, at most " +
+                                 std::to_string(all.most_standing_steers)}};
+    if (options.steer == Steer::standing || !answer.rolling) return rows;
+    const std::size_t needed = answer.rolling->standing_steers().size();
+    const int more = answer.planned_changes - answer.standing_changes.value_or(answer.planned_changes);
+    rows.push_back({"", needed > 0 ? "planned " + std::to_string(needed) + " times: no way was found without"
+                        : more > 0 ? "planned never, with " + changes(more) + " more than with it"
+                                   : "planned never, with no more direction changes than with it"});
+    return rows;
 }
 
 }  // namespace
@@ -138,23 +149,23 @@ std::string drive_text(const ParkQuestion& question, const DriveOptions& options
                (options.margin ? "a margin of " + metres(*options.margin) : "any margin") + ".\n";
     if (answer.runs.empty()) return "No run was finished.\n";
     const DriveTotals all = answer.totals();
-    const double planned = answer.planned ? trajectory(*answer.planned, options.limits).seconds() : 0.0;
+    const double planned = answer.planned ? answer.planned_trajectory(options.limits).seconds() : 0.0;
+    Rows rows = {
+        {"margin", metres(answer.margin) + (options.margin ? "" : ", the least that was found to do")},
+        {"planned", changes(answer.planned_changes) + ", " + fixed(planned, 0) + " s"},
+        {"driven", fixed(all.mean_changes, 2) + " direction changes on average, at most " +
+                       std::to_string(all.most_changes) + ","},
+        {"", "in " + fixed(all.mean_seconds, 0) + " s on average, at most " + fixed(all.most_seconds, 0) + " s"}};
+    for (std::vector<std::string>& row : how_often_it_stands(options, answer, all)) rows.push_back(std::move(row));
+    rows.push_back({"bound", answer.lower_bound == 0
+                                 ? "none: without a direction change it may be possible"
+                                 : "no plan with this margin has fewer than " + changes(answer.lower_bound)});
+    rows.push_back({"nearest", all.smallest_distance < 0.0
+                                   ? "in contact"
+                                   : metres(all.smallest_distance) + " to anything in all runs"});
     return car + " parks in " + std::to_string(answer.parked()) + " of " + std::to_string(answer.runs.size()) +
            " runs" + (answer.contacts() > 0 ? ", touches something in " + std::to_string(answer.contacts()) : "") +
-           ".\n\n" +
-           table(
-               {{"margin", metres(answer.margin) + (options.margin ? "" : ", the least that was found to do")},
-                {"planned", changes(answer.planned_changes) + ", " + fixed(planned, 0) + " s"},
-                {"driven", fixed(all.mean_changes, 2) + " direction changes on average, at most " +
-                               std::to_string(all.most_changes) + ","},
-                {"",
-                 "in " + fixed(all.mean_seconds, 0) + " s on average, at most " + fixed(all.most_seconds, 0) + " s"},
-                {"bound", answer.lower_bound == 0
-                              ? "none: without a direction change it may be possible"
-                              : "no plan with this margin has fewer than " + changes(answer.lower_bound)},
-                {"nearest", all.smallest_distance < 0.0 ? "in contact"
-                                                        : metres(all.smallest_distance) + " to anything in all runs"}},
-               "ll");
+           ".\n\n" + table(rows, "ll");
 }
 
 Action parse_drive(const Arguments& arguments) {
@@ -187,7 +198,10 @@ Action parse_drive(const Arguments& arguments) {
                                      : drive_runs(question.car, question.scene.place, start, asked_of);
         }
         if (show) wipe_progress();
-        if (timed) write_file("--trajectory", timed->path, written(*timed, question.car, answer.planned));
+        if (timed)
+            write_file("--trajectory", timed->path,
+                       answer.planned ? written(*timed, answer.planned_trajectory(timed->limits))
+                                      : written(*timed, question.car, std::nullopt));
         if (picture) write_file("--draw", picture->path, drawn(*picture, question, answer));
         put_out(path, format == Format::json  ? drive_json(question, asked_of, answer)
                       : format == Format::csv ? drive_as_csv(answer)

@@ -14,7 +14,6 @@
 namespace snug::cli {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr std::size_t most_ranges = 20;
 
 using Rows = std::vector<std::vector<std::string>>;

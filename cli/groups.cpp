@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "cli/command.hpp"
 #include "cli/output.hpp"
+#include "cli/words.hpp"
 #include "sentences/check.hpp"
 #include "sentences/spelling.hpp"
 #include "snug/io.hpp"
@@ -16,7 +16,6 @@
 namespace snug::cli {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double full_turn = 6.2832;  // as people round it; larger angles are degrees, or mistakes
 constexpr Quantity size = {" m", limits::shortest, limits::longest};
 constexpr Quantity extra = {" m", -limits::longest, limits::longest};

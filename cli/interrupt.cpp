@@ -6,7 +6,7 @@
 namespace snug::cli {
 namespace {
 
-constexpr int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 
 using Handler = void (*)(int);
 Handler before[3];
@@ -16,7 +16,7 @@ static_assert(std::atomic<int>::is_always_lock_free);  // a signal handler may u
 extern "C" void on_wish(int number) {
     wanted = 128 + number;
     for (int i = 0; i < 3; ++i) {
-        if (numbers[i] == number) std::signal(number, before[i]);
+        if (signals[i] == number) std::signal(number, before[i]);
     }
 }
 
@@ -25,13 +25,13 @@ extern "C" void on_wish(int number) {
 Interruptible::Interruptible() {
     wanted = 0;
     for (int i = 0; i < 3; ++i) {
-        before[i] = std::signal(numbers[i], on_wish);
-        if (before[i] == SIG_IGN) std::signal(numbers[i], SIG_IGN);  // a background job stays deaf
+        before[i] = std::signal(signals[i], on_wish);
+        if (before[i] == SIG_IGN) std::signal(signals[i], SIG_IGN);  // a background job stays deaf
     }
 }
 
 Interruptible::~Interruptible() {
-    for (int i = 0; i < 3; ++i) std::signal(numbers[i], before[i]);
+    for (int i = 0; i < 3; ++i) std::signal(signals[i], before[i]);
 }
 
 int interruption() { return wanted; }

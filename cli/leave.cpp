@@ -26,7 +26,8 @@ constexpr const char* examples =
     "      --from -1.25,-4,1.5708\n\n"
     "On an open road the car is out when its corner is level with the slot's and the\n"
     "way on is free; with --angle, --road or --stretch when all of it stands on the\n"
-    "road, along the street, as for snug park, whose reverse it is.\n\n"
+    "road, along the street, as for snug park, whose reverse it is; so it is with\n"
+    "--steer moving.\n\n"
     "Exit codes: 0 solved; 1 understood, and the car cannot leave; 2 bad input, with\n"
     "one line that says what is wrong; 3 undecided within the limits given.";
 
@@ -44,6 +45,7 @@ struct Asked {
                                       "Or where the rear axle's middle stands, in the\nworld [m, rad].", pose)),
           driving(options),
           search(options.group("Question"), "ten-thousandth"),
+          steer(steer_option(options)),
           files(options) {}
 
     static constexpr Quantity gap = {" m", 0.0, limits::longest};
@@ -55,6 +57,7 @@ struct Asked {
     Option<Pose> from;
     DrivingOptions driving;
     SearchOptions search;
+    Option<Steer> steer;
     ParkFileOptions files;
 };
 
@@ -94,13 +97,15 @@ Action parse_leave(const Arguments& arguments) {
     question.options.driving = asked.driving.driving(asked.bay.neighbours);
     const Pose pose = parked(asked, car, question.slot);
     const StreetOptions& street = asked.bay.street;
-    if (street.angle || street.road || street.stretch) {
-        // Out of a bay in a street whose road and stretch are known.
+    const bool moving = asked.steer.value_or(Steer::standing) == Steer::moving;
+    if (street.angle || street.road || street.stretch || moving) {
+        // Out of a bay in a street whose road and stretch are known, onto the road.
         const Street bay = asked.bay.bay(car, question.options.driving);
         ParkOptions in_street;
         in_street.clearance = question.options.driving.clearance;
         asked.search.limit(in_street);
-        return park_action({car, {road_place(bay), pose}, bay, in_street, true}, files);
+        const ParkQuestion out = {car, {road_place(bay), pose}, bay, in_street, true};
+        return moving ? rolling_action(out, files) : park_action(out, files);
     }
     FewestOptions limited;
     limited.driving = question.options.driving;

@@ -13,9 +13,6 @@ constexpr std::size_t columns_in_a_line = 9;
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// Rounded up, so that a slot of the size shown is large enough. [m]
-std::string at_least(double size) { return fixed(std::ceil(size * 1000.0 - 1e-6) / 1000.0, 3); }
-
 }  // namespace
 
 std::string min_slot_table(Sought sought, const std::vector<MinSlot>& rows, std::size_t counts) {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <optional>
 
+#include "cli/words.hpp"
 #include "sentences/check.hpp"
 #include "sentences/spelling.hpp"
 
@@ -64,7 +64,6 @@ std::string unit_name(std::string_view unit) {
 
 /// What a number followed by `suffix` is to be multiplied with to be in `unit`: angles say deg or rad.
 std::optional<double> factor(std::string_view unit, std::string_view suffix) {
-    constexpr double degree = std::numbers::pi / 180.0;
     if (unit == " rad" && (suffix == "deg" || suffix == "\u00b0")) return degree;
     if (unit == " degrees" && suffix == "rad") return 1.0 / degree;
     if ((unit == " rad" && suffix == "rad") || (unit == " degrees" && (suffix == "deg" || suffix == "\u00b0")))
@@ -156,7 +155,7 @@ double number(const std::string& option, const std::string& text, const Quantity
     try {
         check_between(option, value, quantity.low, quantity.high, quantity.unit);
     } catch (const Error& error) {
-        const double from_degrees = value * std::numbers::pi / 180.0;
+        const double from_degrees = value * degree;
         if (in_unit || quantity.unit != " rad" || !(from_degrees >= quantity.low && from_degrees <= quantity.high))
             throw;
         throw Error(std::string(error.what()) + "; " + spelled(value) + " degrees are " + spelled(from_degrees) +

@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "cli/min_slot.hpp"
+#include "cli/words.hpp"
 #include "snug/limits.hpp"
 
 namespace snug::cli {
 namespace {
-
-constexpr double millimetre = 1e-3;
 
 /// The slot of that size, with the neighbours asked about.
 Slot in_question(double length, double width, const MinSlotOptions& like) {

@@ -40,7 +40,7 @@ std::string reason(int error) { return std::generic_category().message(error); }
 /// The error number of the first write that failed, 0 for none.
 int write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
         if (written < 0 && errno != EINTR) {
             return errno;
         }

@@ -44,11 +44,7 @@ struct Asked {
     explicit Asked(Options& options)
         : where(options),
           search(options, "eight-hundredth"),
-          steer(options.choice<Steer>(
-              "--steer", "STEER",
-              "standing (default), or moving: the steering turns only\nwhile the car rolls, which "
-              "may take more changes.",
-              {{"standing", Steer::standing}, {"moving", Steer::moving}})),
+          steer(steer_option(options)),
           files(options),
           view(options.choice<ParkView>("--view", "VIEW",
                                         "What to draw: maneuver (default), or map: from where\nin the place how many "
@@ -164,6 +160,13 @@ ParkQuestion WhereOptions::question() const {
     street.parked = parked.parked();
     const Pose start = from ? *from : standard_start(street, car);
     return {car, {street_place(street), start}, street, options};
+}
+
+Option<Steer> steer_option(Options& options) {
+    return options.choice<Steer>("--steer", "STEER",
+                                 "standing (default), or moving: the steering turns only\nwhile the car rolls, which "
+                                 "may take more changes.",
+                                 {{"standing", Steer::standing}, {"moving", Steer::moving}});
 }
 
 SearchOptions::SearchOptions(Options& options, const std::string& finest)

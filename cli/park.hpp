@@ -56,8 +56,8 @@ struct SearchOptions {
     Option<double> time_limit;
 };
 
-/// When the steering may turn.
-enum class Steer { standing, moving };
+/// --steer.
+Option<Steer> steer_option(Options& options);
 
 /// What --draw shows.
 enum class ParkView { maneuver, map };

@@ -13,7 +13,6 @@
 namespace snug::cli {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double near = 3.0;  ///< what is farther away is not spoken of [m]
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -237,23 +236,46 @@ std::string moves(const ParkQuestion& question, const RollingManeuver& maneuver)
                         angle(piece.curvature),
                         piece.sharpness == 0.0 ? "" : "to " + angle(piece.curvature_at(piece.length)),
                         metres(piece.length),
-                        last    ? "stop: parked"
-                        : stops ? "stop here"
-                                : ""});
+                        !stops             ? ""
+                        : !last            ? "stop here"
+                        : question.leaving ? "stop: out on the road"
+                                           : "stop: parked"});
     }
     return "\nWhat to do\n" + table(rows, "rlllrl");
+}
+
+/// The stops that need steering at standstill.
+std::string where_it_steers(const ParkQuestion& question, const RollingManeuver& standing) {
+    Rows rows = {{"where", "x", "y", "heading", "steering", ""}};
+    const std::vector<StandingSteer> steers = standing.standing_steers();
+    const auto angle = [&](double curvature) {
+        return steering(question.car, std::atan(question.car.wheelbase() * curvature));
+    };
+    for (const StandingSteer& steer : steers) {
+        const RollingPiece& piece = standing.pieces[steer.piece];
+        const bool on_the_way = steer.piece > 0 && standing.pieces[steer.piece - 1].direction == piece.direction;
+        rows.push_back({steer.piece == 0 ? "at the start"
+                        : on_the_way     ? "on move " + std::to_string(steer.stop + 1)
+                                         : "at change " + std::to_string(steer.stop),
+                        metres(piece.start.x), metres(piece.start.y), fixed(off(piece.start.heading), 1) + " deg",
+                        angle(steer.curvature), "to " + angle(piece.curvature)});
+    }
+    return "\nWhere the steering turns at standstill: " + std::to_string(steers.size()) +
+           (steers.size() == 1 ? " time\n" : " times\n") + table(rows, "lrrrll");
 }
 
 }  // namespace
 
 std::string park_text(const ParkQuestion& question, const RollingAnswer& answer) {
-    if (!answer.maneuver)
-        return name(question.car) + " may park " + into_what(question) +
-               ", but no\nway is known that steers only while it rolls; with steering at standstill\n" +
-               (answer.standing_changes
-                    ? changes(*answer.standing_changes) + (*answer.standing_changes == 1 ? " does" : " do")
-                    : "none is known either") +
-               ".\n";
+    if (!answer.maneuver) {
+        const std::string begins = name(question.car) + " may " + (question.leaving ? "leave " : "park ") +
+                                   into_what(question) + ",\nbut no way was found " +
+                                   (answer.cancelled ? "in the time given " : "") +
+                                   "that steers only while it rolls.\n";
+        if (!answer.standing) return begins + "With steering at standstill none is known either.\n";
+        return begins + "With steering at standstill " + changes(answer.standing->direction_changes()) + " will do.\n" +
+               where_it_steers(question, *answer.standing);
+    }
     const RollingManeuver& maneuver = *answer.maneuver;
     const int more = maneuver.direction_changes() - answer.standing_changes.value_or(maneuver.direction_changes());
     const std::string standing = more > 0 ? "that is " + std::to_string(more) + " more than with steering at standstill"
@@ -262,9 +284,10 @@ std::string park_text(const ParkQuestion& question, const RollingAnswer& answer)
         {"driven", metres(maneuver.length()) + " in " + fixed(rolling_trajectory(maneuver).seconds(), 0) + " s"}};
     const Pose goal = maneuver.pieces.empty() ? question.scene.start : maneuver.pieces.back().end;
     for (std::vector<std::string>& row : distances(question, goal)) rows.push_back(std::move(row));
-    return name(question.car) + " parks " + into_what(question) + "\nwith " + changes(maneuver.direction_changes()) +
-           ", and steers only while it rolls, at " + fixed(answer.creep, 2) + " m/s;\n" + standing + ".\n" +
-           where_it_stands(question) + moves(question, maneuver) + "\nHow it ends\n" + table(rows, "ll");
+    return name(question.car) + (question.leaving ? " leaves " : " parks ") + into_what(question) + "\nwith " +
+           changes(maneuver.direction_changes()) + ", and steers only while it rolls, at " + fixed(answer.creep, 2) +
+           " m/s;\n" + standing + ".\n" + where_it_stands(question) + moves(question, maneuver) + "\nHow it ends\n" +
+           table(rows, "ll");
 }
 
 std::string park_text(const ParkQuestion& question, const ParkAnswer& answer) {

@@ -44,4 +44,7 @@ std::string fixed(double value, int decimals) {
     return digits;
 }
 
+std::string at_least(double size) { return fixed(std::ceil(size * 1e3 - 1e-6) / 1e3, 3); }
+std::string at_most(double size) { return fixed(std::floor(size * 1e3 + 1e-6) / 1e3, 3); }
+
 }  // namespace snug::cli

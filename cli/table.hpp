@@ -13,4 +13,8 @@ std::string table(const std::vector<std::vector<std::string>>& rows, const std::
 /// "1.250"; never "-0.000".
 std::string fixed(double value, int decimals);
 
+// In millimetres: rounded up, so that what has the size shown is large enough; and down, no more than there is. [m]
+std::string at_least(double size);
+std::string at_most(double size);
+
 }  // namespace snug::cli

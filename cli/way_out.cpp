@@ -18,7 +18,6 @@
 namespace snug::cli {
 namespace {
 
-constexpr double millimetre = 1e-3;
 constexpr double patience = 2.0;  // for each of the answers [s]: a lattice so coarse takes some hundredths of it
 
 /// Coarse enough to be quick: the spacing decides where the search ends, and hardly ever the clock.

@@ -1,6 +1,7 @@
 // Words that answers share.
 #pragma once
 
+#include <numbers>
 #include <string>
 
 #include "snug/car.hpp"
@@ -8,6 +9,9 @@
 #include "snug/maneuver.hpp"
 
 namespace snug::cli {
+
+inline constexpr double degree = std::numbers::pi / 180.0;  // [rad]
+inline constexpr double millimetre = 1e-3;                  // [m]
 
 /// "no direction change", "1 direction change", "2 direction changes"
 std::string changes(int count);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "drive/run.hpp"
 #include "sentences/check.hpp"
@@ -17,7 +19,7 @@ namespace {
 /// Margins that are tried, the smallest first: a small one leads to plans with the fewest changes, a large one to fewer that are not
 /// planned. [m]
 constexpr std::array margins = {0.01, 0.02, 0.025, 0.03, 0.035, 0.04, 0.045, 0.05, 0.06, 0.08, 0.10, 0.12, 0.15, 0.2};
-constexpr int runs_tried = 200;
+constexpr int runs_at_first = 50, runs_then = 200;  ///< that a margin is tried with before all are driven
 
 void check(const DriveOptions& options) {
     const CarErrors& errors = options.errors;
@@ -63,44 +65,83 @@ std::optional<Assistant> assistant_with(const Car& car, const Place& place, cons
     return std::nullopt;
 }
 
-bool enough(const DriveAnswer& answer, double rate) {
-    return answer.parked() >= rate * static_cast<double>(answer.runs.size());
-}
-
-DriveAnswer with(const Assistant& assistant, const Street* street, const Pose& start, int runs,
-                 const DriveOptions& options) {
-    DriveAnswer answer;
-    answer.plannable = true;
-    answer.margin = assistant.map().clearance();
-    answer.planned = assistant.plan(start);
-    answer.planned_changes = answer.planned ? answer.planned->direction_changes() : 0;
-    answer.lower_bound = assistant.map().at(start).lower_bound;
-    answer.runs.resize(static_cast<std::size_t>(runs));
-    SweepOptions sweep;
-    sweep.threads = options.threads;
-    if (options.progress)
-        sweep.progress = [&](double part) {
-            return options.progress(answer.margin, static_cast<int>(std::lround(part * runs)));
-        };
-    Progress progress(sweep, answer.runs.size());
-    std::optional<Slots> slots;
-    if (street && !options.blind && (options.errors.slot_place > 0.0 || options.errors.slot_size > 0.0))
-        slots.emplace(assistant.car(), *street, assistant_options(assistant.car(), start, answer.margin, options));
-    std::vector<char> done(answer.runs.size(), 0);
-    on_all_cores(answer.runs.size(), sweep, progress, [&](std::size_t run) {
-        answer.runs[run] = drive_run(assistant, slots ? &*slots : nullptr, start, options, run);
-        done[run] = 1;
-        (void)progress.finished(1);
-    });
-    answer.cancelled = progress.given_up();
-    if (answer.cancelled) {
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < done.size(); ++i)
-            if (done[i] != 0) std::swap(answer.runs[kept++], answer.runs[i]);
-        answer.runs.resize(kept);
+/// The runs with one margin, as many as it takes to say something of it.
+class Tried {
+public:
+    Tried(Assistant assistant, const Street* street, const Pose& start, const DriveOptions& options)
+        : assistant_(std::move(assistant)), start_(start), options_(options) {
+        answer_.plannable = true;
+        answer_.margin = assistant_.map().clearance();
+        answer_.planned = assistant_.plan(start);
+        if (options.steer == Steer::moving) {
+            if (answer_.planned) answer_.standing_changes = answer_.planned->direction_changes();
+            answer_.rolling = rolling_plan(assistant_.map(), start, 0.0, options, RollingOptions{}.most_work);
+            if (answer_.rolling) answer_.planned = answer_.rolling->in_arcs();
+        }
+        answer_.planned_changes = answer_.planned ? answer_.planned->direction_changes() : 0;
+        answer_.lower_bound = assistant_.map().at(start).lower_bound;
+        if (street && !options.blind && (options.errors.slot_place > 0.0 || options.errors.slot_size > 0.0))
+            slots_.emplace(assistant_.car(), *street,
+                           assistant_options(assistant_.car(), start, answer_.margin, options));
     }
-    return answer;
-}
+
+    [[nodiscard]] const DriveAnswer& answer() const { return answer_; }
+    [[nodiscard]] DriveAnswer taken() { return std::move(answer_); }
+
+    /// Drives until there are so many runs; those done stay. Each is what its number makes it.
+    void drive(int runs) {
+        const std::size_t first = answer_.runs.size(), count = static_cast<std::size_t>(runs) - first;
+        answer_.runs.resize(first + count);
+        SweepOptions sweep;
+        sweep.threads = options_.threads;
+        if (options_.progress)
+            sweep.progress = [&](double part) {
+                const double done = static_cast<double>(first) + part * static_cast<double>(count);
+                return options_.progress(answer_.margin, static_cast<int>(std::lround(done)));
+            };
+        Progress progress(sweep, count);
+        std::vector<char> done(count, 0);
+        on_all_cores(count, sweep, progress, [&](std::size_t i) {
+            answer_.runs[first + i] = drive_run(assistant_, slots_ ? &*slots_ : nullptr, start_, options_, first + i,
+                                                answer_.rolling ? &*answer_.rolling : nullptr);
+            done[i] = 1;
+            (void)progress.finished(1);
+        });
+        answer_.cancelled = progress.given_up();
+        if (!answer_.cancelled) return;
+        std::size_t kept = first;
+        for (std::size_t i = 0; i < count; ++i)
+            if (done[i] != 0) std::swap(answer_.runs[kept++], answer_.runs[first + i]);
+        answer_.runs.resize(kept);
+    }
+
+    /// Whether all of the runs asked for have enough that park. Few are driven at first, and no more once too many have failed:
+    /// what the others do would change nothing.
+    [[nodiscard]] bool does(int most) {
+        if (most > static_cast<int>(answer_.runs.size()) && !answer_.cancelled && !has_failed()) drive(most);
+        return most == options_.runs && !answer_.cancelled && !has_failed();
+    }
+    [[nodiscard]] bool has_failed() const {
+        const double may_fail = (1.0 - options_.rate) * options_.runs + 1e-9;
+        return static_cast<double>(answer_.runs.size()) - answer_.parked() > may_fail;
+    }
+    /// On average over the first of its runs.
+    [[nodiscard]] double mean_changes(std::size_t of) const {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < of; ++i) sum += answer_.runs[i].direction_changes;
+        return sum / static_cast<double>(of);
+    }
+    [[nodiscard]] double share() const {
+        return static_cast<double>(answer_.parked()) / static_cast<double>(answer_.runs.size());
+    }
+
+private:
+    Assistant assistant_;
+    const Pose start_;
+    const DriveOptions& options_;
+    std::optional<Slots> slots_;
+    DriveAnswer answer_;
+};
 
 DriveAnswer drive_all(const Car& car, const Place& place, const Street* street, const Pose& start,
                       const DriveOptions& options) {
@@ -118,40 +159,44 @@ DriveAnswer drive_all(const Car& car, const Place& place, const Street* street, 
                 "the rear axle's middle starts outside the region; start elsewhere, or give a larger one (of a street: "
                 "--stretch)");
     }
+    const auto trying = [&](double margin) {
+        std::optional<Assistant> assistant = assistant_with(car, place, start, margin, options);
+        return assistant ? std::make_unique<Tried>(std::move(*assistant), street, start, options) : nullptr;
+    };
     if (options.margin) {
-        const std::optional<Assistant> assistant = assistant_with(car, place, start, *options.margin, options);
-        if (!assistant) {
-            DriveAnswer none;
-            none.margin = *options.margin;
-            return none;
+        const std::unique_ptr<Tried> tried = trying(*options.margin);
+        if (tried) {
+            tried->drive(options.runs);
+            return tried->taken();
         }
-        return with(*assistant, street, start, options.runs, options);
+        DriveAnswer none;
+        none.margin = *options.margin;
+        return none;
     }
-    DriveAnswer best;
-    double best_share = -1.0;
-    std::optional<Assistant> best_assistant;
+    std::unique_ptr<Tried> best;
     bool done = false;
     for (const double margin : margins) {
-        std::optional<Assistant> assistant = assistant_with(car, place, start, margin, options);
-        if (!assistant) continue;
-        DriveAnswer tried = with(*assistant, street, start, std::min(options.runs, runs_tried), options);
-        if (!tried.cancelled && enough(tried, options.rate) && options.runs > runs_tried)
-            tried = with(*assistant, street, start, options.runs, options);
-        if (tried.cancelled) return done ? best : tried;
-        const double share = static_cast<double>(tried.parked()) / static_cast<double>(tried.runs.size());
-        // The least that does, or a larger one while that takes fewer changes.
-        const bool does = enough(tried, options.rate);
-        if (done && !(does && tried.totals().mean_changes < best.totals().mean_changes)) break;
-        if (does || share > best_share) {
-            best_share = share;
-            best = std::move(tried);
-            best_assistant = std::move(assistant);
+        std::unique_ptr<Tried> tried = trying(margin);
+        if (!tried) continue;
+        bool does = false;
+        // The least that does, or a larger one while that takes fewer changes: over its first runs, and over all.
+        bool worth_it = true;
+        for (const int runs : {runs_at_first, runs_then, options.runs}) {
+            does = tried->does(std::min(runs, options.runs));
+            if (tried->answer().cancelled || tried->has_failed()) break;
+            const std::size_t count = tried->answer().runs.size();
+            worth_it = !done || tried->mean_changes(count) < best->mean_changes(count);
+            if (!worth_it) break;
         }
+        if (tried->answer().cancelled) return done ? best->taken() : tried->taken();
+        if (done && !(does && worth_it)) break;
+        if (does || !best || tried->share() > best->share()) best = std::move(tried);
         done = does;
     }
-    if (best_assistant && static_cast<int>(best.runs.size()) < options.runs)
-        best = with(*best_assistant, street, start, options.runs, options);
-    return best;
+    if (!best) return {};
+    // None does: all runs of the one that failed least.
+    if (static_cast<int>(best->answer().runs.size()) < options.runs) best->drive(options.runs);
+    return best->taken();
 }
 
 }  // namespace

@@ -15,7 +15,9 @@ namespace snug {
 namespace {
 
 constexpr double step = 0.05;                 ///< between two measurements on the way [m]
+constexpr double least_step = 0.002;          ///< while the steering turns [m]
 constexpr int most_moves = 300;               ///< a run that takes more is given up
+constexpr int most_work = 30'000;             ///< for another way on which the steering does not turn at standstill
 constexpr int most_looks = 20;                ///< without a way, before the car calls itself stuck
 constexpr int looks_before_a_way = 10;        ///< at standstill, before the next way is chosen
 constexpr int looks_when_parked = 40;         ///< before the car calls itself parked
@@ -45,7 +47,8 @@ private:
 
 class Run {
 public:
-    Run(const Assistant& assistant, Slots* slots, const Pose& start, const DriveOptions& options, std::uint64_t number)
+    Run(const Assistant& assistant, Slots* slots, const Pose& start, const DriveOptions& options, std::uint64_t number,
+        const RollingManeuver* plan)
         : car_(assistant.car()),
           place_(assistant.place()),
           assistant_(&assistant),
@@ -56,6 +59,7 @@ public:
           truth_(start),
           off_{normal_(errors_.slot_place), normal_(errors_.slot_place), normal_(errors_.slot_size),
                normal_(errors_.slot_size)},
+          planned_with_(&assistant),
           filter_(measured(), first_deviation(errors_)) {
         if (slots_) {
             slot_ = slot_alone(place_);
@@ -63,12 +67,15 @@ public:
             if (away_ == 0.0) part_ = 0.0;
             looks_at_the_slot();
         }
+        if (plan) way_ = plan->pieces;
         result_.smallest_distance = distance();
         result_.track.push_back(truth_);
     }
 
     DriveRun driven() {
-        if (options_.blind)
+        if (options_.steer == Steer::moving)
+            rolling();
+        else if (options_.blind)
             blind();
         else
             looking();
@@ -77,6 +84,12 @@ public:
     }
 
 private:
+    struct Deviation {
+        double along;    ///< ahead of where the move would be
+        double left;     ///< of the move, seen along its heading
+        double heading;  ///< [rad]
+    };
+
     void looking() {
         int parked = 0, stuck = 0;
         for (int moves = 0; moves < most_moves && !result_.contact;) {
@@ -111,6 +124,173 @@ private:
         }
     }
 
+    /// With steering that turns only while the car rolls: along the way planned, which is planned anew where it has come off it.
+    void rolling() {
+        int parked = 0, stuck = 0;
+        for (int stretches = 0; stretches < most_moves && !result_.contact;) {
+            stand(looks_before_a_way * look_seconds);
+            if (options_.blind) {
+                if (next_ == way_.size()) return;
+            } else {
+                looks_at_the_slot();
+                const MapBounds bounds = assistant_->map().at(filter_.pose());
+                if (bounds.direction_changes == 0 && !bounds.first) {
+                    if (++parked == looks_when_parked / looks_before_a_way + 1) return;
+                    continue;
+                }
+                if (!is_on_the_way() && !plans(bounds)) {
+                    const Instruction instruction = assistant_->next(filter_.pose(), last_);
+                    if (instruction.what != Instruction::move && instruction.what != Instruction::escape) {
+                        if (++stuck == most_looks) return;
+                        continue;
+                    }
+                    for (const Move& move : instruction.moves)
+                        if (!drive_move(move)) break;
+                    ++stretches;
+                    continue;
+                }
+            }
+            parked = stuck = 0;
+            ++stretches;
+            if (!drive_stretch()) way_.clear(), next_ = 0;
+        }
+    }
+
+    /// Does it stand where the next piece begins, near enough that corrections on the way will do?
+    bool is_on_the_way() const {
+        if (next_ == way_.size() || planned_with_ != assistant_) return false;
+        constexpr double most_along = 0.06;  // what it stops off by is little beside it [m]
+        const Deviation off = deviation(way_[next_].start, way_[next_].direction);
+        return std::abs(off.along) < most_along && astray(off) < most_astray();
+    }
+    bool plans(const MapBounds& bounds) {
+        way_.clear();
+        next_ = 0;
+        planned_with_ = assistant_;
+        if (bounds.where == MapBounds::free && bounds.first) {
+            if (const auto plan = rolling_plan(assistant_->map(), filter_.pose(), steering_, options_, most_work))
+                way_ = plan->pieces;
+            // Where it has to steer at standstill, only until it stops: from there it may do without.
+            if (!RollingManeuver{car_, way_}.standing_steers(std::tan(steering_) / car_.wheelbase()).empty())
+                way_.erase(
+                    std::find_if(way_.begin(), way_.end(),
+                                 [&](const RollingPiece& piece) { return piece.direction != way_.front().direction; }),
+                    way_.end());
+        } else {
+            away_with_the_wheels_as_they_are();
+        }
+        return !way_.empty();
+    }
+    /// Nearer to something than the margin: on the arc that it stands on to where the map knows a way, half of the room kept.
+    void away_with_the_wheels_as_they_are() {
+        constexpr double farthest = 1.0, each = 0.02;  // [m]
+        const double room = nearest_distance(car_, seen_place(), filter_.pose());
+        const double kept = std::min(room, assistant_->map().clearance()) / 2.0;
+        double least = std::numeric_limits<double>::infinity();
+        for (const Direction direction : {Direction::backward, Direction::forward}) {
+            for (int i = 1; i * each <= farthest; ++i) {
+                const Pose there = drive(car_, filter_.pose(), direction, steering_, i * each);
+                if (nearest_distance(car_, seen_place(), there) < kept) break;
+                const MapBounds bounds = assistant_->map().at(there);
+                if (bounds.where != MapBounds::free || !bounds.direction_changes) continue;
+                const double cost = *bounds.direction_changes +
+                                    (bounds.first && *bounds.first != direction ? 1.0 : 0.0) +
+                                    (last_ && *last_ != direction ? 1.0 : 0.0) + i * each;
+                if (cost >= least) continue;
+                least = cost;
+                way_ = {{direction, std::tan(steering_) / car_.wheelbase(), 0.0, i * each, filter_.pose(), there}};
+            }
+        }
+    }
+
+    /// Drives the way until the direction changes or the curvature jumps: true; or something is near, or it is astray: false.
+    bool drive_stretch() {
+        const Direction direction = way_[next_].direction;
+        if (last_ && *last_ != direction) ++result_.direction_changes;
+        last_ = direction;
+        // Only a jump is turned at standstill; what corrections have left is corrected on the way.
+        const auto bends_apart = [](double one, double other) { return std::abs(one - other) > 1e-9; };
+        const double bend = way_[next_].curvature;
+        const double before =
+            next_ == 0 ? std::tan(steering_) / car_.wheelbase() : way_[next_ - 1].curvature_at(way_[next_ - 1].length);
+        if (bends_apart(bend, before)) turn_wheels(std::atan(bend * car_.wheelbase()));
+        set_off();
+        const std::size_t first = next_;
+        double length = way_[next_++].length;
+        for (; next_ < way_.size() && way_[next_].direction == direction &&
+               !bends_apart(way_[next_].curvature, way_[next_ - 1].curvature_at(way_[next_ - 1].length));
+             ++next_)
+            length += way_[next_].length;
+        struct On {
+            const RollingPiece& piece;
+            double distance;
+        };
+        const auto on = [&](double distance) {
+            std::size_t i = first;
+            for (; i + 1 < next_ && distance > way_[i].length; ++i) distance -= way_[i].length;
+            return On{way_[i], std::clamp(distance, 0.0, way_[i].length)};
+        };
+        double progress = 0.0, rolled = 0.0;
+        Deviation off = deviation(way_[first].start, direction);
+        if (options_.blind)
+            off = {};
+        else
+            progress = std::max(0.0, off.along);
+        bool clear = true;
+        while (progress < length && rolled < length + 4.0 * step && !result_.contact) {
+            const On here = on(progress);
+            const bool creeps = !options_.blind && nearest_distance(car_, seen_place(), filter_.pose()) <
+                                                       near_margins * assistant_->map().clearance();
+            // A part of the steering rate is left for corrections.
+            constexpr double planned_part = 0.8;
+            const double turns = std::abs(here.piece.sharpness) * car_.wheelbase();
+            double speed = creeps ? std::min(creeping, options_.limits.speed) : options_.limits.speed;
+            if (turns > 0.0) speed = std::min(speed, planned_part * options_.limits.steering_rate / turns);
+            const double ds =
+                std::min(std::clamp(speed * look_seconds, least_step, step), std::max(length - progress, 1e-3));
+            const On there = on(progress + ds);
+            const double meant = there.piece.curvature_at(there.distance);
+            const double steering =
+                options_.blind ? std::atan(meant * car_.wheelbase()) : corrected(direction, meant, off);
+            if (!options_.blind && is_near(direction, steering, ds)) {
+                clear = false;
+                if (rolled > 0.0) break;
+            }
+            roll_and_steer(direction, progress, length, ds, steering, speed);
+            rolled += ds;
+            progress += ds;
+            if (options_.blind) continue;
+            look();
+            const On now = on(progress);
+            off = deviation(now.piece.at(now.distance), direction);
+            progress += off.along;
+            clear = clear && !(rolled > least_before_another && astray(off) > most_astray());
+            if (!clear) break;
+        }
+        come_to_rest(direction, steering_);
+        return clear && !result_.contact;
+    }
+
+    /// The wheels turn towards the steering at no more than their rate while the car rolls.
+    void roll_and_steer(Direction direction, double done, double length, double ds, double steering, double speed) {
+        const double seconds = ds / speed_at(done + ds / 2.0, length, ds, speed);
+        result_.seconds += seconds;
+        const double most = options_.limits.steering_rate * seconds;
+        const double told = std::clamp(steering, steering_ - most, steering_ + most);
+        const double kept = errors_.lag > 0.0 ? std::exp(-seconds / errors_.lag) : 0.0;
+        const double wheels = told + (wheels_ - told) * kept;
+        truth_ = drive(car_, truth_, direction, (wheels_ + wheels) / 2.0 + offset_, ds);
+        const double sign = static_cast<double>(static_cast<int>(direction));
+        filter_.roll(sign * ds, std::tan((steering_ + told) / 2.0) / car_.wheelbase());
+        wheels_ = wheels;
+        steering_ = told;
+        arrived();
+    }
+
+    /// How far a corner may be off its way.
+    double astray(const Deviation& off) const { return std::abs(off.left) + car_.front() * std::abs(off.heading); }
+    double most_astray() const { return std::max(assistant_->map().clearance(), least_astray); }
+
     /// Drives a move, correcting on the way, until it is done: true; or something is near: false.
     bool drive_move(const Move& move) {
         begin(move);
@@ -133,8 +313,7 @@ private:
             progress = progress + ds + off.along;
             steering = corrected(move, off);
             // Where a corner may be off by the margin another way is better.
-            const double astray = std::abs(off.left) + car_.front() * std::abs(off.heading);
-            if (rolled > least_before_another && astray > std::max(assistant_->map().clearance(), least_astray)) {
+            if (rolled > least_before_another && astray(off) > most_astray()) {
                 clear = false;
                 break;
             }
@@ -148,20 +327,26 @@ private:
     void begin(const Move& move) {
         if (last_ && *last_ != move.direction) ++result_.direction_changes;
         last_ = move.direction;
-        stand(std::abs(move.steering_angle - steering_) / options_.limits.steering_rate);
+        turn_wheels(move.steering_angle);
+        set_off();
+    }
+    /// At standstill.
+    void turn_wheels(double angle) {
+        if (angle != steering_) ++result_.standing_steers;
+        stand(std::abs(angle - steering_) / options_.limits.steering_rate);
         if (errors_.lag > 0.0) stand(4.0 * errors_.lag);  // until they are there
-        steering_ = wheels_ = move.steering_angle;
+        steering_ = wheels_ = angle;
+    }
+    /// Its steering is off by something new.
+    void set_off() {
         offset_ = normal_(errors_.steering);
-        const double c = std::cos(move.steering_angle);
+        const double c = std::cos(steering_);
         filter_.forget_curvature(errors_.steering / (car_.wheelbase() * c * c));
     }
 
     /// The wheels truly roll, and the car thinks they roll as it told them. They follow what is told as a lag of the first order does.
     void roll(const Move& move, double done, double ds, double steering, double speed) {
-        const MotionLimits& limits = options_.limits;
-        const double middle = done + ds / 2.0, left = std::max(move.length - middle, ds / 2.0);
-        const double seconds = ds / std::min({speed, std::sqrt(2.0 * limits.acceleration * middle),
-                                              std::sqrt(2.0 * limits.deceleration * left)});
+        const double seconds = ds / speed_at(done + ds / 2.0, move.length, ds, speed);
         result_.seconds += seconds;
         double angle = steering;
         if (errors_.lag > 0.0) {
@@ -173,6 +358,13 @@ private:
         const double sign = static_cast<double>(static_cast<int>(move.direction));
         filter_.roll(sign * ds, std::tan(steering) / car_.wheelbase());
         arrived();
+    }
+
+    /// From rest to rest on that length, where it has done so much of it.
+    double speed_at(double done, double length, double ds, double speed) const {
+        const double left = std::max(length - done, ds / 2.0);
+        return std::min({speed, std::sqrt(2.0 * options_.limits.acceleration * done),
+                         std::sqrt(2.0 * options_.limits.deceleration * left)});
     }
 
     /// It does not stop quite where it means to.
@@ -207,25 +399,26 @@ private:
                room < nearest_distance(car_, seen_place(), filter_.pose());
     }
 
-    struct Deviation {
-        double along;    ///< ahead of where the move would be
-        double left;     ///< of the move, seen along its heading
-        double heading;  ///< [rad]
-    };
     Deviation deviation(const Move& move, double progress) const {
-        const Pose planned = drive(car_, move.start, move.direction, move.steering_angle, std::max(0.0, progress));
+        return deviation(drive(car_, move.start, move.direction, move.steering_angle, std::max(0.0, progress)),
+                         move.direction);
+    }
+    Deviation deviation(const Pose& planned, Direction direction) const {
         const Pose& at = filter_.pose();
         const double c = std::cos(planned.heading), s = std::sin(planned.heading);
         const double dx = at.x - planned.x, dy = at.y - planned.y;
-        const double sign = static_cast<double>(static_cast<int>(move.direction));
+        const double sign = static_cast<double>(static_cast<int>(direction));
         return {sign * (c * dx + s * dy), c * dy - s * dx, at.heading - planned.heading};
     }
 
-    /// Deviations die away like the critically damped spring of that length: left'' = -left / l^2 - 2 left' / l.
     double corrected(const Move& move, const Deviation& off) const {
-        const double sign = static_cast<double>(static_cast<int>(move.direction));
-        const double curvature = std::tan(move.steering_angle) / car_.wheelbase() - filter_.curvature() -
-                                 off.left / (settling * settling) - 2.0 * sign * off.heading / settling;
+        return corrected(move.direction, std::tan(move.steering_angle) / car_.wheelbase(), off);
+    }
+    /// Deviations die away like the critically damped spring of that length: left'' = -left / l^2 - 2 left' / l.
+    double corrected(Direction direction, double meant, const Deviation& off) const {
+        const double sign = static_cast<double>(static_cast<int>(direction));
+        const double curvature =
+            meant - filter_.curvature() - off.left / (settling * settling) - 2.0 * sign * off.heading / settling;
         return std::clamp(std::atan(curvature * car_.wheelbase()), -car_.max_steer(), car_.max_steer());
     }
 
@@ -288,6 +481,9 @@ private:
     double away_ = 1.0;  ///< at the start [m]
     std::optional<Place> slot_;
     std::optional<Place> seen_;
+    std::vector<RollingPiece> way_;  ///< planned, with steering that turns only while the car rolls
+    std::size_t next_ = 0;           ///< of its pieces
+    const Assistant* planned_with_;  ///< on whose map
     PoseFilter filter_;
     double steering_ = 0.0;
     double wheels_ = 0.0;
@@ -299,8 +495,46 @@ private:
 }  // namespace
 
 DriveRun drive_run(const Assistant& assistant, Slots* slots, const Pose& start, const DriveOptions& options,
-                   std::uint64_t number) {
-    return Run(assistant, slots, start, options, number).driven();
+                   std::uint64_t number, const RollingManeuver* plan) {
+    return Run(assistant, slots, start, options, number, plan).driven();
+}
+
+std::optional<RollingManeuver> rolling_plan(const ParkMap& map, const Pose& from, double steering_angle,
+                                            const DriveOptions& options, int most_work) {
+    RollingOptions how;
+    how.steering_rate = options.limits.steering_rate;
+    how.most_work = most_work;
+    RollingAnswer answer = park_rolling(map, from, steering_angle, how);
+    std::optional<RollingManeuver> way = answer.maneuver ? std::move(answer.maneuver) : std::move(answer.standing);
+    if (!way || way->pieces.empty()) return way;
+    // Holding the steering, as far as the car is parked most surely.
+    constexpr double along = 0.02, across = 0.012, turned = 0.006;
+    constexpr double each = 0.01, farthest = 0.3, worth_a_metre = 2.0;  // [m]; of poses that are parked
+    const RollingPiece& last = way->pieces.back();
+    const double bend = last.curvature_at(last.length), steering = std::atan(bend * map.car().wheelbase());
+    const auto parked_about = [&](const Pose& pose) {
+        const double c = std::cos(pose.heading), s = std::sin(pose.heading);
+        int count = 0;
+        for (const auto& [x, y, h] : {Pose{}, Pose{along, 0.0, 0.0}, Pose{-along, 0.0, 0.0}, Pose{0.0, across, 0.0},
+                                      Pose{0.0, -across, 0.0}, Pose{0.0, 0.0, turned}, Pose{0.0, 0.0, -turned}}) {
+            const MapBounds bounds = map.at({pose.x + x * c - y * s, pose.y + x * s + y * c, pose.heading + h});
+            count += bounds.direction_changes == 0 && !bounds.first ? 1 : 0;
+        }
+        return count;
+    };
+    double best = parked_about(last.end), length = 0.0;
+    for (int i = 1; i * each <= farthest; ++i) {
+        const Pose there = drive(map.car(), last.end, last.direction, steering, i * each);
+        const double worth = parked_about(there) - worth_a_metre * i * each;
+        if (worth <= best) continue;
+        if (!map.goes_free(last.end, last.direction, steering, i * each)) break;
+        best = worth;
+        length = i * each;
+    }
+    if (length > 0.0)
+        way->pieces.push_back({last.direction, bend, 0.0, length, last.end,
+                               drive(map.car(), last.end, last.direction, steering, length)});
+    return way;
 }
 
 double nearest_distance(const Car& car, const Place& place, const Pose& pose) {

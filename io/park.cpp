@@ -144,14 +144,7 @@ ParkAnswer counts_of(const RollingAnswer& answer) {
     return counts;
 }
 
-Json with_rolling(Json json, const Pose& start, const RollingAnswer& answer) {
-    json.erase("spacing");
-    json["steer"] = "moving";
-    json["standing_changes"] = nullptr;
-    if (answer.standing_changes) json["standing_changes"] = *answer.standing_changes;
-    if (!answer.maneuver) return json;
-    json["creep"] = answer.creep;
-    const RollingManeuver& maneuver = *answer.maneuver;
+Json as_json(const RollingManeuver& maneuver, const Pose& start) {
     Json moves = Json::array();
     for (const RollingPiece& piece : maneuver.pieces)
         moves.push_back({{"direction", to_string(piece.direction)},
@@ -162,12 +155,41 @@ Json with_rolling(Json json, const Pose& start, const RollingAnswer& answer) {
                          {"length", piece.length},
                          {"start", as_json(piece.start)},
                          {"end", as_json(piece.end)}});
-    json["maneuver"] = {{"direction_changes", maneuver.direction_changes()},
-                        {"length", maneuver.length()},
-                        {"seconds", rolling_trajectory(maneuver).seconds()},
-                        {"start", as_json(start)},
-                        {"goal", as_json(maneuver.pieces.empty() ? start : maneuver.pieces.back().end)},
-                        {"moves", std::move(moves)}};
+    return {{"direction_changes", maneuver.direction_changes()},
+            {"length", maneuver.length()},
+            {"seconds", rolling_trajectory(maneuver).seconds()},
+            {"start", as_json(start)},
+            {"goal", as_json(maneuver.pieces.empty() ? start : maneuver.pieces.back().end)},
+            {"moves", std::move(moves)}};
+}
+
+/// Where it stands to steer.
+Json steers(const RollingManeuver& maneuver) {
+    Json list = Json::array();
+    for (const StandingSteer& steer : maneuver.standing_steers()) {
+        const RollingPiece& piece = maneuver.pieces[steer.piece];
+        const double before = std::atan(maneuver.car.wheelbase() * steer.curvature);
+        list.push_back({{"move", steer.piece},
+                        {"direction_changes", steer.stop},
+                        {"pose", as_json(piece.start)},
+                        {"steering_angle", before},
+                        {"steering_angle_end", steering_angle(piece, maneuver.car, 0.0)}});
+    }
+    return list;
+}
+
+Json with_rolling(Json json, const Pose& start, const RollingAnswer& answer) {
+    json.erase("spacing");
+    json["steer"] = "moving";
+    json["standing_changes"] = nullptr;
+    if (answer.standing_changes) json["standing_changes"] = *answer.standing_changes;
+    if (answer.standing) {
+        json["standing"] = as_json(*answer.standing, start);
+        json["standing"]["standing_steers"] = steers(*answer.standing);
+    }
+    if (!answer.maneuver) return json;
+    json["creep"] = answer.creep;
+    json["maneuver"] = as_json(*answer.maneuver, start);
     return json;
 }
 

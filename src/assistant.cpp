@@ -94,6 +94,7 @@ struct AssistantMemory::Lists {
     detail::WayLists way;
     std::vector<double> here, before, now;  ///< gaps to each obstacle
     Instruction told;
+    std::size_t looked = 0;
 };
 
 AssistantMemory::AssistantMemory(const Assistant& assistant) : lists_(std::make_unique<Lists>()) {
@@ -108,6 +109,8 @@ AssistantMemory::AssistantMemory(const Assistant& assistant) : lists_(std::make_
 AssistantMemory::AssistantMemory(AssistantMemory&&) noexcept = default;
 AssistantMemory& AssistantMemory::operator=(AssistantMemory&&) noexcept = default;
 AssistantMemory::~AssistantMemory() = default;
+
+std::size_t AssistantMemory::poses_looked_at() const { return lists_->looked; }
 
 Assistant::Assistant(const Car& car, const Place& place, const AssistantOptions& options)
     : Assistant(car, place, planned_map(car, place, options), options) {}
@@ -150,11 +153,12 @@ double Assistant::nearest(const Pose& pose) const {
 std::optional<Maneuver> Assistant::plan(const Pose& measured) const { return map_.maneuver(measured); }
 
 /// On average over where the car may truly come to rest.
-double Assistant::expected_changes(const Pose& end, Direction driven) const {
+double Assistant::expected_changes(const Pose& end, Direction driven, std::size_t& looked) const {
     constexpr double along = 0.02, across = 0.012, turned = 0.006;
     constexpr double unknown = 4.0;
     const double s = angles::sin(end.heading), c = angles::cos(end.heading);
     const auto changes_at = [&](double x, double y, double heading) {
+        ++looked;
         const MapBounds bounds = map_.at({end.x + x * c - y * s, end.y + x * s + y * c, end.heading + heading});
         if (!bounds.direction_changes) return unknown;
         return *bounds.direction_changes + (bounds.first && *bounds.first != driven ? 1.0 : 0.0);
@@ -167,11 +171,11 @@ double Assistant::expected_changes(const Pose& end, Direction driven) const {
 }
 
 /// Ends an arc where coming to rest a little off does the least harm.
-void Assistant::settle(Move& last) const {
+void Assistant::settle(Move& last, std::size_t& looked) const {
     const Move meant = last;
     constexpr double step = 0.01, farthest = 0.3;  // [m]
     constexpr double worth_a_metre = 0.2;          // of direction changes
-    double least = expected_changes(meant.end, meant.direction);
+    double least = expected_changes(meant.end, meant.direction, looked);
     for (const double way : {-1.0, 1.0}) {
         for (int i = 1; i * step <= farthest; ++i) {
             Move other = meant;
@@ -179,7 +183,7 @@ void Assistant::settle(Move& last) const {
             if (!(other.length > 0.0)) break;
             other.end = drive(car_, meant.start, meant.direction, meant.steering_angle, other.length);
             if (way > 0.0 && map_.at(other.end).where != MapBounds::free) break;
-            const double cost = expected_changes(other.end, other.direction) + worth_a_metre * i * step;
+            const double cost = expected_changes(other.end, other.direction, looked) + worth_a_metre * i * step;
             if (cost >= least) continue;
             if (way > 0.0 && !map_.goes_free(meant.start, meant.direction, meant.steering_angle, other.length)) break;
             least = cost;
@@ -205,6 +209,7 @@ void Assistant::answer(const Pose& measured, std::optional<Direction> driven, Li
     told.what = Instruction::stuck;
     told.moves.clear();
     told.direction_changes = 0;
+    lists.looked = 1;
     const auto tell = [&](const Arc& arc) {
         told.what = arc.what;
         told.direction_changes = arc.changes;
@@ -220,6 +225,7 @@ void Assistant::answer(const Pose& measured, std::optional<Direction> driven, Li
     }
     std::vector<Move>& moves = told.moves;
     map_.moves(measured, lists.way, moves);
+    if (bounds.first) lists.looked += lists.way.steps.size();
     if (moves.empty()) {
         tell(short_way(measured, driven, std::numeric_limits<int>::max(), lists));
         return;
@@ -238,7 +244,7 @@ void Assistant::answer(const Pose& measured, std::optional<Direction> driven, Li
         const Arc farther = short_way(measured, driven, changes - 1, lists);
         if (farther.what != Instruction::stuck) tell(farther);
     }
-    settle(moves.back());
+    settle(moves.back(), lists.looked);
 }
 
 Assistant::Arc Assistant::way_out(const Pose& measured, Lists& lists) const {
@@ -257,6 +263,7 @@ Assistant::Arc Assistant::way_out(const Pose& measured, Lists& lists) const {
                 const double length = i * step;
                 const Pose there = drive(car_, measured, direction, steering, length);
                 gaps_at(there, now);
+                ++lists.looked;
                 double left = 0.0;
                 bool grows = false;
                 for (std::size_t k = 0; k < now.size(); ++k) {
@@ -295,6 +302,7 @@ Assistant::Arc Assistant::short_way(const Pose& measured, std::optional<Directio
             for (double length = step; length <= farthest; length += step) {
                 const Pose there = drive(car_, measured, direction, steering, length);
                 const double left = nearest(there);
+                ++lists.looked;
                 if (left < kept) break;
                 if (left > most_room && room < map_.clearance() && map_.at(there).where != MapBounds::outside) {
                     most_room = left;

@@ -10,6 +10,7 @@
 
 #include "all_maneuvers/few_pieces.hpp"
 #include "all_maneuvers/map_sets.hpp"
+#include "all_maneuvers/packing.hpp"
 #include "all_maneuvers/route.hpp"
 #include "all_maneuvers/way_lists.hpp"
 #include "contact/place_contact.hpp"
@@ -17,6 +18,7 @@
 #include "model/angles.hpp"
 #include "sentences/check.hpp"
 #include "snug/limits.hpp"
+#include "snug/version.hpp"
 
 namespace snug {
 
@@ -32,6 +34,9 @@ ParkMapOptions of_street(const Street& street, const ParkMapOptions& options) {
     if (!mine.heading) mine.heading = street.heading;
     return mine;
 }
+
+double coarsest_spacing(const Car& car) { return car.turning_radius() / 32.0; }
+double usual_spacing(const Car& car) { return std::min(0.08, coarsest_spacing(car)); }
 
 double heading_of(const Place& place) {
     const auto* inside = std::get_if<ParkedInside>(&place.parked());
@@ -92,6 +97,13 @@ struct ParkMap::Swept {
           here(chart_place(of, in, anywhere(in, how.heading.value_or(heading_of(in))), how.clearance, chart)),
           outer(here, how.spacing, how.max_changes, watch),
           inner(here, how.spacing, how.max_changes, watch) {}
+    Swept(const Car& of, const Place& in, const ParkMapOptions& how, detail::Unpacking& from)
+        : car(of),
+          place(in),
+          options(how),
+          here(chart_place(of, in, anywhere(in, how.heading.value_or(heading_of(in))), how.clearance, chart)),
+          outer(from),
+          inner(here, from) {}
 
     /// In the chart; where the heading is not covered the cosine is not positive.
     [[nodiscard]] Pose in_chart(const Pose& pose) const {
@@ -101,14 +113,85 @@ struct ParkMap::Swept {
     }
 };
 
+namespace {
+
+/// Tells who can read what follows, what was asked, and whether the bytes are the same still.
+struct PackedHead {
+    std::uint64_t version = 0, asked = 0, sum = 0;
+};
+
+PackedHead head_of(const Car& car, const Place& place, const ParkMapOptions& options) {
+    Fingerprint version, asked;
+    for (const char c : std::string("snug map " SNUG_VERSION)) version.add(static_cast<std::uint64_t>(c));
+    version.add(static_cast<std::uint64_t>(sizeof(std::size_t)));
+    version.add(1.0);  // the order of its bytes
+    asked.add(ParkMap::fingerprint(car, place, options.clearance));
+    asked.add(options.spacing);
+    asked.add(static_cast<std::uint64_t>(options.max_changes));
+    asked.add(options.heading);
+    return {version.value(), asked.value(), 0};
+}
+
+/// Eight bytes at a time.
+std::uint64_t sum_of(const std::byte* from, std::size_t size) {
+    std::uint64_t sum = size, word = 0;
+    const auto add = [&] {
+        sum = (sum ^ word) * 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio: no bit of the word is lost
+        sum ^= sum >> 32;
+    };
+    std::size_t i = 0;
+    for (; i + sizeof word <= size; i += sizeof word) {
+        std::memcpy(&word, from + i, sizeof word);
+        add();
+    }
+    word = 0;
+    std::memcpy(&word, from + i, size - i);
+    add();
+    return sum;
+}
+
+}  // namespace
+
+std::vector<std::byte> ParkMap::packed() const {
+    PackedHead head = head_of(swept_->car, swept_->place, swept_->options);
+    detail::Packing pack(this->bytes() + 65536);
+    pack(head, swept_->outer, swept_->inner);
+    head.sum = sum_of(pack.bytes.data() + sizeof head, pack.bytes.size() - sizeof head);
+    std::memcpy(pack.bytes.data(), &head, sizeof head);
+    return std::move(pack.bytes);
+}
+
+ParkMap ParkMap::unpacked(const Car& car, const Place& place, const ParkMapOptions& options,
+                          std::span<const std::byte> bytes) {
+    ParkMapOptions asked = options;
+    if (asked.spacing == 0.0) asked.spacing = usual_spacing(car);
+    detail::Unpacking unpack(bytes);
+    PackedHead head;
+    unpack(head);
+    const PackedHead expected = head_of(car, place, asked);
+    if (head.version != expected.version)
+        throw Error("these bytes are no map of this version (" SNUG_VERSION ") on this kind of machine; pack it anew");
+    if (head.asked != expected.asked)
+        throw Error("the packed map is another one; unpack it with what it was made with");
+    if (head.sum != sum_of(bytes.data() + sizeof head, bytes.size() - sizeof head))
+        throw Error("the packed map is damaged; pack it again");
+    ParkMap map(std::make_shared<const Swept>(car, place, asked, unpack));
+    if (unpack.left() > 0) throw Error("the packed map is longer than a map; pack it again");
+    return map;
+}
+
+ParkMap ParkMap::unpacked(const Car& car, const Street& street, const ParkMapOptions& options,
+                          std::span<const std::byte> bytes) {
+    return unpacked(car, street_place(street), of_street(street, options), bytes);
+}
+
 ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& options) {
     check_between("maximum of direction changes", options.max_changes, 0.0, limits::most_changes_fewest, "");
     check_between("clearance", options.clearance, 0.0, limits::longest, " m");
-    constexpr double usual = 0.08, finest = 0.001;  // [m]
-    const double coarsest = car.turning_radius() / 32.0;
+    constexpr double finest = 0.001;  // [m]
     ParkMapOptions asked = options;
-    if (asked.spacing == 0.0) asked.spacing = std::min(usual, coarsest);
-    check_between("spacing", asked.spacing, finest, coarsest, " m");
+    if (asked.spacing == 0.0) asked.spacing = usual_spacing(car);
+    check_between("spacing", asked.spacing, finest, coarsest_spacing(car), " m");
     if (options.heading)
         check_between("heading of the street", *options.heading, -limits::farthest, limits::farthest, " rad");
     Chart chart;

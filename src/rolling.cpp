@@ -23,19 +23,21 @@ namespace {
 using detail::RollingContact;
 
 constexpr double kept = 1e-4;           ///< from everything [m]
-constexpr int levels = 2;               ///< of curvature from straight to full steering
 constexpr double shortest_step = 0.05;  ///< with the wheels held [m]
 constexpr double longest_step = 0.1;
 constexpr int nodes_per_count = 10000;
 constexpr int followed_per_count = 300;
+constexpr int way_of_the_map = 20;                  ///< what it costs to look one up, in pieces
 constexpr double worth_a_change_of_steering = 0.1;  ///< of length [m]
+constexpr double worth_standing = 5.0;              ///< of length, to turn the steering at standstill once [m]
 
 /// Where the car can be, and how it came there.
 struct Node {
     Pose pose;
-    int level = 0;  ///< of curvature
+    double level = 0.0;  ///< of curvature: a whole number but at the start
     Direction way = Direction::forward;
     int changes = 0;
+    int stands = 0;  ///< how often the steering turned at standstill
     int parent = -1;
     double length = 0.0, sharpness = 0.0;  ///< of the piece from the parent; no length: the direction changed
     double cost = 0.0;                     ///< of length and steering so far [m]
@@ -87,25 +89,37 @@ private:
 
 class RollingSearch {
 public:
-    RollingSearch(const Car& car, const Place& place, const ParkMap& map, const Maneuver& standing, double creep,
-                  const RollingOptions& options)
-        : car_(car),
+    /// `bend`: the curvature that the wheels have at the start. `may_stand`: the steering may turn at stops, as seldom as may be.
+    /// The steering is held at so many `levels` of curvature from straight to full.
+    RollingSearch(const ParkMap& map, double clearance, const Maneuver& standing, double bend, double creep, int levels,
+                  bool may_stand, const RollingOptions& options)
+        : car_(map.car()),
           map_(map),
           options_(options),
-          around_(car, place, options.clearance),
-          fullest_(1.0 / car.turning_radius()),
-          sharpness_(options.steering_rate / (car.wheelbase() * creep)),
-          turn_(curvature(1) / sharpness_),
+          around_(car_, map.place(), clearance),
+          levels_(levels),
+          may_stand_(may_stand),
+          fullest_(1.0 / car_.turning_radius()),
+          sharpness_(options.steering_rate / (car_.wheelbase() * creep)),
+          turn_(curvature(1.0) / sharpness_),
           hold_(std::clamp(turn_, shortest_step, longest_step)) {
         guides_.emplace_back(standing, car_.length() / 2.0);
-        for (const Direction way : {Direction::forward, Direction::backward})
-            add({standing.entry(), 0, way, 0, -1, 0.0, 0.0, 0.0, 0});
+        Node start;
+        start.pose = standing.entry();
+        start.level = bend == 0.0 ? 0.0 : bend / curvature(1.0);
+        for (const Direction way : {Direction::forward, Direction::backward}) {
+            start.way = way;
+            add(start);
+            stand(start);
+        }
     }
 
-    /// A way with at most so many direction changes, looking at what was put off before: to be asked with rising numbers.
-    std::optional<RollingManeuver> with(int allowed, bool& cancelled) {
+    /// A way with at most so many direction changes, looking at what was put off before: to be asked with rising numbers. `work`
+    /// counts the pieces looked at, up to `most_work`.
+    std::optional<RollingManeuver> with(int allowed, int most_work, int& work, bool& cancelled) {
+        work_ = &work;
         int followed = 0;
-        for (int looked = 0; looked < nodes_per_count;) {
+        for (int looked = 0; looked < nodes_per_count && work < most_work;) {
             // In turn by two orders: near to the way the map knows, and far along it.
             auto& queues = open_[allowed];
             auto& queue = queues[order_++ % 2];
@@ -134,7 +148,24 @@ public:
     }
 
 private:
-    double curvature(int level) const { return fullest_ * level / levels; }
+    double curvature(double level) const { return fullest_ * level / levels_; }
+    /// The next whole level to the left (1) or to the right (-1).
+    static double next_level(double level, int by) {
+        constexpr double rounding = 1e-9;
+        return by > 0 ? std::floor(level + rounding) + 1.0 : std::ceil(level - rounding) - 1.0;
+    }
+
+    /// The same at a stop, with the steering turned there to any other level, where that may be.
+    void stand(Node node) {
+        if (!may_stand_) return;
+        const double level = node.level;
+        ++node.stands;
+        node.cost += worth_standing;
+        for (int other = -levels_; other <= levels_; ++other) {
+            node.level = other;
+            if (std::abs(level - other) > 1e-9) add(node);
+        }
+    }
 
     /// The node's place in the order of what is looked at, and whether it is parked; it may lead nowhere.
     int add(const Node& node) {
@@ -161,13 +192,14 @@ private:
         };
         std::uint64_t key = cell(node.pose.x, apart);
         for (const std::uint64_t part : {cell(node.pose.y, apart), cell(node.pose.heading, turned),
-                                         static_cast<std::uint64_t>(node.level + levels),
+                                         static_cast<std::uint64_t>(std::lround(node.level) + levels_),
                                          static_cast<std::uint64_t>(node.way == Direction::forward)})
             key = (key ^ (key >> 29)) * 0xBF58476D1CE4E5B9ULL + part;
-        const auto [known, added] = seen_.try_emplace(key, node.changes);
+        const int worth = node.changes + 4 * node.stands;
+        const auto [known, added] = seen_.try_emplace(key, worth);
         if (added) return true;
-        if (node.changes >= known->second) return false;
-        known->second = node.changes;
+        if (worth >= known->second) return false;
+        known->second = worth;
         return true;
     }
 
@@ -178,19 +210,24 @@ private:
     [[nodiscard]] static Node after(const Node& from, const RollingPiece& piece, int by) {
         Node next = from;
         next.pose = piece.at(piece.length);
-        next.level += by;
+        if (by != 0) next.level = next_level(from.level, by);
         next.length = piece.length;
         next.sharpness = piece.sharpness;
         next.cost += piece.length + (by == 0 ? 0.0 : worth_a_change_of_steering);
         return next;
     }
+    /// How far a step leads.
+    [[nodiscard]] double step_of(const Node& from, int by) const {
+        return by == 0 ? hold_ : turn_ * std::abs(next_level(from.level, by) - from.level);
+    }
     /// Holding the steering as far as the step or a part of it leads; turning it, all of the step or nothing.
-    [[nodiscard]] std::optional<Node> driven(int from, int by) const {
+    [[nodiscard]] std::optional<Node> driven(int from, int by) {
         const Node& node = nodes_[static_cast<std::size_t>(from)];
-        if (std::abs(node.level + by) > levels) return std::nullopt;
+        if (std::abs(by == 0 ? node.level : next_level(node.level, by)) > levels_) return std::nullopt;
         constexpr int halvings = 4;
-        double step = by == 0 ? hold_ : turn_;
+        double step = step_of(node, by);
         for (int i = 0; i < (by == 0 ? halvings : 1); ++i, step /= 2.0) {
+            ++*work_;
             const RollingPiece on = piece(node, by, step);
             if (!around_.keeps(on, kept)) continue;
             Node next = after(node, on, by);
@@ -213,6 +250,7 @@ private:
         turned.parent = index;
         turned.length = 0.0;
         add(turned);
+        stand(turned);
         return -1;
     }
 
@@ -222,6 +260,7 @@ private:
         constexpr double beyond = 0.5;  // [m]
         constexpr int steps_ahead = 3;
         const Node& from = nodes_[static_cast<std::size_t>(index)];
+        *work_ += way_of_the_map;
         const std::optional<Maneuver> way = map_.maneuver(from.pose);
         if (!way || way->moves.front().direction != from.way) return -1;
         guides_.emplace_back(*way, car_.length() / 2.0);
@@ -248,18 +287,18 @@ private:
                 sign * (cosine * dx + sine * dy),
                 std::abs(cosine * dy - sine * dx) + car_.length() / 4.0 * std::abs(pose.heading - meant.heading)};
         };
-        const auto towards = [](int target, int level) { return (target > level) - (target < level); };
+        const auto towards = [](int target, double level) { return (target > level) - (target < level); };
         double progress = 0.0;
         for (int last = index; progress < length + beyond;) {
             Node node = nodes_[static_cast<std::size_t>(last)];
             int best = 0;
             double least = std::numeric_limits<double>::infinity();
-            for (int target = -levels; target <= levels; ++target) {
+            for (int target = -levels_; target <= levels_; ++target) {
                 Node ahead = node;
                 double s = progress, error = 0.001 * std::abs(target - node.level);
                 for (int k = 1; k <= steps_ahead; ++k) {
                     const int by = towards(target, ahead.level);
-                    ahead = after(ahead, piece(ahead, by, by == 0 ? hold_ : turn_), by);
+                    ahead = after(ahead, piece(ahead, by, step_of(ahead, by)), by);
                     s += ahead.length;
                     const Off here = off(ahead.pose, s);
                     s += here.along;
@@ -306,11 +345,14 @@ private:
         return way;
     }
 
-    const Car& car_;
+    const Car car_;
     const ParkMap& map_;
     std::vector<Guide> guides_;
     const RollingOptions& options_;
     RollingContact around_;
+    int levels_;
+    bool may_stand_;
+    int* work_ = nullptr;
     double fullest_, sharpness_;
     double turn_, hold_;  ///< lengths of a piece with the steering turned by a level, and held [m]
     std::vector<Node> nodes_;
@@ -319,18 +361,24 @@ private:
     std::unordered_map<std::uint64_t, int> seen_;
 };
 
-}  // namespace
-
-RollingAnswer park_rolling(const Car& car, const Place& place, const Pose& start, const RollingOptions& options) {
+void check(const RollingOptions& options) {
     check_between("creeping speed", options.creep, 0.01, 10.0, " m/s");
     check_between("steering rate", options.steering_rate, 1e-3, 1e3, " rad/s");
     check_between("direction changes more", options.most_more, 0.0, limits::most_changes_fewest, "");
-    ParkMapOptions how;
-    how.spacing = options.spacing;
-    how.clearance = options.clearance + kept;
-    how.heading = start.heading;
-    how.progress = options.progress;
-    const ParkMap map(car, place, how);
+    check_between("pieces looked at", options.most_work, 0.0, 1e9, "");
+}
+
+/// What steers at standstill, as pieces whose curvature jumps.
+RollingManeuver in_pieces(const Maneuver& standing) {
+    RollingManeuver way{standing.car, {}};
+    for (const Move& move : standing.moves)
+        way.pieces.push_back({move.direction, angles::tan(move.steering_angle) / standing.car.wheelbase(), 0.0,
+                              move.length, move.start, move.end});
+    return way;
+}
+
+RollingAnswer on_map(const ParkMap& map, double clearance, const Pose& start, double bend,
+                     const RollingOptions& options) {
     RollingAnswer answer;
     const MapBounds bounds = map.at(start);
     answer.lower_bound = bounds.lower_bound;
@@ -342,29 +390,73 @@ RollingAnswer park_rolling(const Car& car, const Place& place, const Pose& start
         throw Error("the car starts in contact, or less than 0.1 mm from it; move it away");
     if (bounds.direction_changes == 0 && !bounds.first) {
         answer.standing_changes = 0;
-        answer.maneuver = RollingManeuver{car, {}};
+        answer.maneuver = RollingManeuver{map.car(), {}};
         return answer;
     }
     const std::optional<Maneuver> standing = map.maneuver(start);
     if (!standing) return answer;
     const int fewest = std::min(*bounds.direction_changes, standing->direction_changes());
     answer.standing_changes = fewest;
-    std::vector<std::pair<double, RollingSearch>> searches;
-    for (const double times : {4.0, 2.0, 1.0}) {
+    const auto search = [&](double times, int levels, bool may_stand) {
         const double creep = times * options.creep;
-        searches.emplace_back(creep, RollingSearch(car, place, map, *standing, creep, options));
-    }
-    const int most = std::min(fewest + options.most_more, options.max_changes);
-    for (int allowed = fewest; allowed <= most; ++allowed) {
-        for (auto& [creep, search] : searches) {
-            answer.maneuver = search.with(allowed, answer.cancelled);
-            if (answer.cancelled) return answer;
-            if (!answer.maneuver) continue;
-            answer.creep = creep;
-            return answer;
+        return std::pair(creep, RollingSearch(map, clearance, *standing, bend, creep, levels, may_stand, options));
+    };
+    const auto with = [&](int most, int most_work, auto& searches, std::optional<RollingManeuver>& found) {
+        int work = 0;
+        for (int allowed = fewest; allowed <= most && work < most_work; ++allowed) {
+            for (auto& [creep, one] : searches) {
+                found = one.with(allowed, most_work, work, answer.cancelled);
+                answer.creep = creep;
+                if (found || answer.cancelled) break;
+            }
+            if (found || answer.cancelled) break;
         }
+        answer.work += work;
+    };
+    std::vector<std::pair<double, RollingSearch>> searches;
+    for (const double times : {4.0, 2.0, 1.0}) searches.push_back(search(times, 2, false));
+    searches.push_back(search(1.0, 4, false));
+    const int most = std::min(fewest + options.most_more, options.max_changes);
+    with(most, options.most_work, searches, answer.maneuver);
+    if (answer.maneuver) return answer;
+    if (answer.cancelled) {
+        answer.standing = in_pieces(*standing);
+        return answer;
     }
+    searches.clear();
+    searches.push_back(search(1.0, 2, true));
+    with(most, options.most_work / 4, searches, answer.standing);
+    if (!answer.standing) answer.standing = in_pieces(*standing);
     return answer;
+}
+
+}  // namespace
+
+RollingAnswer park_rolling(const Car& car, const Place& place, const Pose& start, const RollingOptions& options) {
+    check(options);
+    ParkMapOptions how;
+    how.spacing = options.spacing;
+    how.clearance = options.clearance + kept;
+    how.heading = start.heading;
+    bool given_up = false;
+    how.progress = [&] { return !(given_up = options.progress && !options.progress()); };
+    std::optional<ParkMap> map;
+    try {
+        map.emplace(car, place, how);
+    } catch (const Error&) {
+        if (!given_up) throw;
+        RollingAnswer nothing;
+        nothing.cancelled = true;
+        return nothing;
+    }
+    return on_map(*map, options.clearance, start, 0.0, options);
+}
+
+RollingAnswer park_rolling(const ParkMap& map, const Pose& start, double steering_angle,
+                           const RollingOptions& options) {
+    check(options);
+    check_between("steering angle at the start", steering_angle, -limits::most_steer, limits::most_steer, " rad");
+    return on_map(map, map.clearance(), start, angles::tan(steering_angle) / map.car().wheelbase(), options);
 }
 
 }  // namespace snug

@@ -39,6 +39,10 @@ std::vector<std::pair<std::string_view, StopRule>> words() {
     return spelled<StopRule>({StopRule::inside, StopRule::contact});
 }
 template <>
+std::vector<std::pair<std::string_view, Steer>> words() {
+    return {{"standing", Steer::standing}, {"moving", Steer::moving}};
+}
+template <>
 std::vector<std::pair<std::string_view, Strategy>> words() {
     return spelled<Strategy>({Strategy::max_steer, Strategy::fewest});
 }

@@ -53,6 +53,8 @@ std::vector<std::pair<std::string_view, MapBounds::Where>> words();
 template <>
 std::vector<std::pair<std::string_view, Sought>> words();
 template <>
+std::vector<std::pair<std::string_view, Steer>> words();
+template <>
 std::vector<std::pair<std::string_view, StreetSize>> words();
 
 template <class Enumeration>

@@ -149,16 +149,28 @@ void define_rolling(py::module_& module) {
         piece, "at(self, distance: float) -> Pose", "The Pose so far after its start [m].",
         [](const RollingPiece& self, const Arguments& given) { return self.at(given.get<double>("distance")); });
 
+    Value<StandingSteer>(module, "StandingSteer", "Where a car stops and turns its steering before it rolls on.")
+        .field("piece", &StandingSteer::piece, "The one that begins there.")
+        .field("stop", &StandingSteer::stop, "How often the direction has changed when it stands there; 0: the start.")
+        .field("curvature", &StandingSteer::curvature,
+               "That the wheels have there; the piece begins with another. [1/m]")
+        .finish();
+
     const Signature signature("RollingManeuver(car: Car, pieces: Iterable[RollingPiece])");
     Value<RollingManeuver> type(
         module, "RollingManeuver",
-        signature.docstring("A car and what it drives while its steering turns only when it rolls.\n\n"
-                            "Each piece starts where the one before ends, with the curvature that one ends with, at "
-                            "the stops\nin between too; the wheels stand straight at the start."));
+        signature.docstring(
+            "A car and what it drives while its steering turns only when it rolls.\n\n"
+            "Each piece starts where the one before ends, with the curvature that one ends with, at "
+            "the stops\nin between too, or the steering turns there at standstill; the wheels stand straight "
+            "at the start."));
     type.field("car", &RollingManeuver::car, "The car that drives.")
         .field("pieces", &RollingManeuver::pieces, "A tuple of RollingPiece.")
         .property("direction_changes", &RollingManeuver::direction_changes, "How often the driving direction changes.")
         .property("length", &RollingManeuver::length, "Path of the rear axle centre. [m]")
+        .property(
+            "standing_steers", [](const RollingManeuver& m) { return m.standing_steers(); },
+            "Where the steering turns at standstill: a tuple of StandingSteer, empty when it never does.")
         .property(
             "seconds", [](const RollingManeuver& m) { return rolling_trajectory(m).seconds(); },
             "How long it takes at the usual limits of trajectory(). [s]")
@@ -187,6 +199,11 @@ void define_rolling(py::module_& module) {
             "parkable", [](const AskedRolling& a) { return a.maneuver.has_value(); }, "Whether a maneuver was found.")
         .field("cancelled", &AskedRolling::cancelled, "A limit, or the progress callback, gave up.")
         .field("maneuver", &AskedRolling::maneuver, "A RollingManeuver, or None.")
+        .field(
+            "standing", &AskedRolling::standing,
+            "Where none was found one that turns its steering at standstill, too, or None: its standing_steers() say "
+            "where.")
+        .field("work", &AskedRolling::work, "How many pieces were looked at.")
         .field("creep", &AskedRolling::creep, "The speed at which its steering turns at its rate. [m/s]")
         .field("standing_changes", &AskedRolling::standing_changes,
                "Direction changes of a maneuver that is known if it steers at standstill; None where none is.")
@@ -280,6 +297,7 @@ void define_runs(py::module_& module) {
         .field("parked", &DriveRun::parked, "Truly, and without contact.")
         .field("contact", &DriveRun::contact, "It touched something; the run ends there.")
         .field("direction_changes", &DriveRun::direction_changes, "Driven.")
+        .field("standing_steers", &DriveRun::standing_steers, "How often the wheels turned while the car stood.")
         .field("seconds", &DriveRun::seconds, "Until it stood for good.")
         .field("smallest_distance", &DriveRun::smallest_distance, "To anything [m]")
         .field("track", &DriveRun::track, "True poses, every few centimetres.")
@@ -291,6 +309,10 @@ void define_runs(py::module_& module) {
         .field("planned_changes", &AskedDrive::planned_changes, "Direction changes of the plan.")
         .field("lower_bound", &AskedDrive::lower_bound, "No plan with this margin has fewer.")
         .field("planned", &AskedDrive::planned, "The plan from the start, a Maneuver, or None.")
+        .field("rolling", &AskedDrive::rolling,
+               "With steer='moving' the plan as a RollingManeuver; `planned` has its arcs.")
+        .field("standing_changes", &AskedDrive::standing_changes,
+               "With steer='moving' the direction changes of a plan that steers at standstill.")
         .field("runs", &AskedDrive::runs, "A tuple of DriveRun.")
         .property(
             "parked", [](const AskedDrive& a) { return a.parked(); }, "How many runs park.")
@@ -312,6 +334,8 @@ void define_runs(py::module_& module) {
         .field(
             "seed", [](auto& a) -> auto& { return a.options.seed; }, "As asked.")
         .field(
+            "steer", [](auto& a) -> auto& { return a.options.steer; }, "As asked.")
+        .field(
             "speed", [](auto& a) -> auto& { return a.options.limits.speed; }, "As asked [m/s].")
         .field(
             "acceleration", [](auto& a) -> auto& { return a.options.limits.acceleration; }, "As asked [m/s2].")
@@ -326,64 +350,68 @@ void define_runs(py::module_& module) {
         })
         .picture([](const AskedDrive& a) { return picture(a); })
         .finish();
-    define(module,
-           "drive_runs(car: Car, place: Street | Scene, start: " + pose_type + " | None = None, *, sensing: " +
-               pose_type + " = (0.02, 0.02, 0.008726646259971648), bias: " + pose_type +
-               " = (0.0, 0.0, 0.0), actuation: " + point_type +
-               " = (0.01, 0.017453292519943295), lag: float = 0.1, slot_error: " + point_type +
-               " = (0.0, 0.0), margin: float | None = None, rate: float = 0.999, resolution: float = 0.0, runs: int = "
-               "1000, seed: int = 1, blind: bool = False, speed: float = 1.0, acceleration: float = 0.5, deceleration: "
-               "float = 0.5, steering_rate: float = 0.5, threads: int = 0, " +
-               progress_parameter + ") -> DriveAnswer",
-           "A plan driven `runs` times by a simulated car that errs and looks again. Returns a DriveAnswer.\n\n"
-           "`sensing` are standard deviations of every measured pose and `bias` is added to them [m, m, rad]; "
-           "`actuation`\nis of where a move ends and of its steering [m, rad]; the wheels are `lag` behind [s]; "
-           "`slot_error` is of the\nplace and of the size of a Street's slot as they seem from the start [m]. The car "
-           "is grown by `margin` [m], or by\nthe least with which `rate` of the runs park. A `blind` car drives its "
-           "first plan without looking again.\n`progress` is told the part done of the runs with the margin now tried; "
-           "returning False ends with those done.\n",
-           [](const Arguments& given) {
-               AskedDrive asked;
-               asked.car = given.get<Car>("car");
-               asked.place = given.get<AnyPlace>("place");
-               std::optional<Pose> start;
-               given.read("start", start);
-               asked.start = start ? *start : start_in(*asked.place, *asked.car);
-               DriveOptions& options = asked.options;
-               given.read("sensing", options.errors.sensing);
-               given.read("bias", options.errors.bias);
-               asked.actuation = {options.errors.distance, options.errors.steering};
-               given.read("actuation", asked.actuation);
-               options.errors.distance = asked.actuation.x;
-               options.errors.steering = asked.actuation.y;
-               given.read("lag", options.errors.lag);
-               given.read("slot_error", asked.slot_error);
-               options.errors.slot_place = asked.slot_error.x;
-               options.errors.slot_size = asked.slot_error.y;
-               given.read("margin", options.margin);
-               given.read("rate", options.rate);
-               given.read("resolution", options.spacing);
-               given.read("runs", options.runs);
-               given.read("seed", options.seed);
-               given.read("blind", options.blind);
-               given.read("speed", options.limits.speed);
-               given.read("acceleration", options.limits.acceleration);
-               given.read("deceleration", options.limits.deceleration);
-               given.read("steering_rate", options.limits.steering_rate);
-               given.read("threads", options.threads);
-               Progress progress(given.callback("progress"));
-               SweepOptions sweep;
-               static_cast<DriveAnswer&>(asked) = interruptible(progress, sweep, [&] {
-                   DriveOptions told = options;
-                   told.progress = [&](double, int done) {
-                       return sweep.progress(static_cast<double>(done) / options.runs);
-                   };
-                   const auto* street = std::get_if<Street>(&*asked.place);
-                   return street ? drive_runs(*asked.car, *street, asked.start, told)
-                                 : drive_runs(*asked.car, place_of(*asked.place), asked.start, told);
-               });
-               return asked;
-           });
+    define(
+        module,
+        "drive_runs(car: Car, place: Street | Scene, start: " + pose_type + " | None = None, *, sensing: " + pose_type +
+            " = (0.02, 0.02, 0.008726646259971648), bias: " + pose_type + " = (0.0, 0.0, 0.0), actuation: " +
+            point_type + " = (0.01, 0.017453292519943295), lag: float = 0.1, slot_error: " + point_type +
+            " = (0.0, 0.0), margin: float | None = None, rate: float = 0.999, resolution: float = 0.0, runs: int = "
+            "1000, seed: int = 1, blind: bool = False, steer: " +
+            literal<Steer>() +
+            " = 'standing', speed: float = 1.0, acceleration: float = 0.5, deceleration: "
+            "float = 0.5, steering_rate: float = 0.5, threads: int = 0, " +
+            progress_parameter + ") -> DriveAnswer",
+        "A plan driven `runs` times by a simulated car that errs and looks again. Returns a DriveAnswer.\n\n"
+        "`sensing` are standard deviations of every measured pose and `bias` is added to them [m, m, rad]; "
+        "`actuation`\nis of where a move ends and of its steering [m, rad]; the wheels are `lag` behind [s]; "
+        "`slot_error` is of the\nplace and of the size of a Street's slot as they seem from the start [m]. The car "
+        "is grown by `margin` [m], or by\nthe least with which `rate` of the runs park. A `blind` car drives its "
+        "first plan without looking again.\nWith steer='moving' it stands to steer only where no way is found without: "
+        "standing_steers of each run.\n`progress` is told the part done of the runs with the margin now tried; "
+        "returning False ends with those done.\n",
+        [](const Arguments& given) {
+            AskedDrive asked;
+            asked.car = given.get<Car>("car");
+            asked.place = given.get<AnyPlace>("place");
+            std::optional<Pose> start;
+            given.read("start", start);
+            asked.start = start ? *start : start_in(*asked.place, *asked.car);
+            DriveOptions& options = asked.options;
+            given.read("sensing", options.errors.sensing);
+            given.read("bias", options.errors.bias);
+            asked.actuation = {options.errors.distance, options.errors.steering};
+            given.read("actuation", asked.actuation);
+            options.errors.distance = asked.actuation.x;
+            options.errors.steering = asked.actuation.y;
+            given.read("lag", options.errors.lag);
+            given.read("slot_error", asked.slot_error);
+            options.errors.slot_place = asked.slot_error.x;
+            options.errors.slot_size = asked.slot_error.y;
+            given.read("margin", options.margin);
+            given.read("rate", options.rate);
+            given.read("resolution", options.spacing);
+            given.read("runs", options.runs);
+            given.read("seed", options.seed);
+            given.read("blind", options.blind);
+            given.read("steer", options.steer);
+            given.read("speed", options.limits.speed);
+            given.read("acceleration", options.limits.acceleration);
+            given.read("deceleration", options.limits.deceleration);
+            given.read("steering_rate", options.limits.steering_rate);
+            given.read("threads", options.threads);
+            Progress progress(given.callback("progress"));
+            SweepOptions sweep;
+            static_cast<DriveAnswer&>(asked) = interruptible(progress, sweep, [&] {
+                DriveOptions told = options;
+                told.progress = [&](double, int done) {
+                    return sweep.progress(static_cast<double>(done) / options.runs);
+                };
+                const auto* street = std::get_if<Street>(&*asked.place);
+                return street ? drive_runs(*asked.car, *street, asked.start, told)
+                              : drive_runs(*asked.car, place_of(*asked.place), asked.start, told);
+            });
+            return asked;
+        });
 }
 
 }  // namespace

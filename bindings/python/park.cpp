@@ -16,17 +16,6 @@ namespace snug::python {
 
 namespace {
 
-enum class Steer { standing, moving };
-
-}  // namespace
-
-template <>
-std::vector<std::pair<std::string_view, Steer>> words() {
-    return {{"standing", Steer::standing}, {"moving", Steer::moving}};
-}
-
-namespace {
-
 void define_places(py::module_& module) {
     const Signature street(
         "Street(length: float, width: float, *, angle: float = 0.0, road: float | None = None, stretch: float = 10.0, "

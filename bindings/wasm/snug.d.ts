@@ -309,6 +309,8 @@ export interface ParkMap {
         columns: number,
         rows: number,
     ): { lower: Int16Array; upper: Int16Array };
+    /** For another worker: `unpackParkMap` has the same map there in milliseconds. Of use to the same version only. */
+    packed(): Uint8Array;
     readonly fingerprint: string;
     readonly middle_heading: number;
     readonly spacing: number;
@@ -340,6 +342,11 @@ export interface Snug {
     park(car: CarLike, place: StreetLike | Scene, options?: ParkOptions): ParkAnswer;
     /** The same from every pose, swept once. */
     parkMap(car: CarLike, place: StreetLike | Scene, options?: ParkMapOptions): ParkMap;
+    /**
+     * The map that another worker packed, for the same car, place and options; damaged or other bytes throw. Unpack none that a
+     * stranger made.
+     */
+    unpackParkMap(car: CarLike, place: StreetLike | Scene, options: ParkMapOptions, packed: Uint8Array): ParkMap;
     /** A street's bay and its usual start, or a scene, with everything a picture needs. */
     scene(car: CarLike, place: StreetLike | Scene, options?: ParkOptions): Scene;
     /** What a scene file says, or a case of TPCAP where the name ends in .csv. */

@@ -4,6 +4,7 @@
 #include <emscripten/val.h>
 
 #include <cstdint>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -395,6 +396,12 @@ public:
             return result;
         });
     }
+    /// A copy, which can be handed over to another worker.
+    [[nodiscard]] val packed() const {
+        const std::vector<std::byte> bytes = map_.packed();
+        return val::global("Uint8Array")
+            .new_(emscripten::typed_memory_view(bytes.size(), reinterpret_cast<const unsigned char*>(bytes.data())));
+    }
     [[nodiscard]] std::string fingerprint() const { return std::to_string(map_.fingerprint()); }
     [[nodiscard]] double middle_heading() const { return map_.middle_heading(); }
     [[nodiscard]] double spacing() const { return map_.spacing(); }
@@ -407,7 +414,9 @@ private:
     ParkMap map_;
 };
 
-val map_question(const val& given_car, const val& given_place, const val& given_options) {
+/// `make` has a place or a street to make the map of.
+template <class Make>
+val map_of(const val& given_car, const val& given_place, const val& given_options, const Make& make) {
     return answered([&] {
         const Car car = car_from(given_car);
         ParkMapOptions options;
@@ -417,12 +426,32 @@ val map_question(const val& given_car, const val& given_place, const val& given_
         options.heading = number_given(given_options, "heading");
         if (const std::optional<Scene> scene = scene_from(given_place)) {
             if (!options.heading) options.heading = scene->start.heading;
-            return val(MapForPage(ParkMap(car, scene->place, options)));
+            return val(MapForPage(make(car, scene->place, options)));
         }
         const Street street = street_from(given_place, given_options);
         if (!options.heading) options.heading = street.heading;
-        return val(MapForPage(ParkMap(car, place_of(street, given_options), options)));
+        return val(MapForPage(make(car, place_of(street, given_options), options)));
     });
+}
+
+val map_question(const val& given_car, const val& given_place, const val& given_options) {
+    return map_of(
+        given_car, given_place, given_options,
+        [](const Car& car, const Place& place, const ParkMapOptions& options) { return ParkMap(car, place, options); });
+}
+
+/// From what another worker packed, for the same car, place and options.
+val unpack_question(const val& given_car, const val& given_place, const val& given_options, const val& given_bytes) {
+    return map_of(given_car, given_place, given_options,
+                  [&](const Car& car, const Place& place, const ParkMapOptions& options) {
+                      if (!given_bytes.instanceof (val::global("Uint8Array")))
+                          throw Error("the packed map must be a Uint8Array");
+                      const auto size = given_bytes["length"].as<std::size_t>();
+                      const std::unique_ptr<std::byte[]> bytes(new std::byte[size]);  // not zeros first: a frame waits
+                      val(emscripten::typed_memory_view(size, reinterpret_cast<unsigned char*>(bytes.get())))
+                          .call<void>("set", given_bytes);
+                      return ParkMap::unpacked(car, place, options, {bytes.get(), size});
+                  });
 }
 
 /// A question whose last argument, the options, may be left out.
@@ -453,6 +482,7 @@ EMSCRIPTEN_BINDINGS(snug) {
     with_options<&shortfall_question>("shortfall");
     with_options<&park_question>("park");
     with_options<&map_question>("parkMap");
+    emscripten::function("unpackParkMap", &unpack_question);
     with_options<&scene_question>("scene");
     emscripten::function("readScene", &read_scene_question);
     emscripten::function("car", &car_question);
@@ -460,6 +490,7 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("at", &MapForPage::at)
         .function("maneuver", &MapForPage::maneuver)
         .function("slice", &MapForPage::slice)
+        .function("packed", &MapForPage::packed)
         .property("fingerprint", &MapForPage::fingerprint)
         .property("middle_heading", &MapForPage::middle_heading)
         .property("spacing", &MapForPage::spacing)

@@ -51,6 +51,11 @@ public:
     AssistantMemory& operator=(AssistantMemory&&) noexcept;
     ~AssistantMemory();
 
+    /// How many poses the last answer looked at: its time grows with it, and it is the same on every machine. Beside the way through
+    /// the map, which has a pose every few centimetres, at most 1,750 for short arcs (700 where the map has a way, or out of what
+    /// is overlapped) and 487 for where to stop.
+    [[nodiscard]] std::size_t poses_looked_at() const;
+
 private:
     friend class Assistant;
     struct Lists;
@@ -110,8 +115,8 @@ private:
     [[nodiscard]] Arc way_out(const Pose& measured, Lists& lists) const;
     [[nodiscard]] Arc short_way(const Pose& measured, std::optional<Direction> driven, int most_changes,
                                 Lists& lists) const;
-    void settle(Move& last) const;
-    [[nodiscard]] double expected_changes(const Pose& end, Direction driven) const;
+    void settle(Move& last, std::size_t& looked) const;
+    [[nodiscard]] double expected_changes(const Pose& end, Direction driven, std::size_t& looked) const;
     [[nodiscard]] static double gap(const Around& around, const Pose& pose);
     [[nodiscard]] double nearest(const Pose& pose) const;
     void gaps_at(const Pose& pose, std::vector<double>& gaps) const;

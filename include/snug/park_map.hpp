@@ -6,6 +6,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "snug/car.hpp"
@@ -57,6 +59,16 @@ public:
     ParkMap(const Car& car, const Place& place, const ParkMapOptions& options = {});
     ParkMap(const Car& car, const Street& street, const ParkMapOptions& options = {});
 
+    /// For a process or a worker that shares no memory with this one: what was swept, as bytes that the same version of the library
+    /// reads back on the same kind of machine.
+    [[nodiscard]] std::vector<std::byte> packed() const;
+    /// With the car, place and options it was made with. Throws Error when the bytes are damaged, or another version's or another
+    /// map's. They are trusted otherwise: read none that a stranger made.
+    static ParkMap unpacked(const Car& car, const Place& place, const ParkMapOptions& options,
+                            std::span<const std::byte> bytes);
+    static ParkMap unpacked(const Car& car, const Street& street, const ParkMapOptions& options,
+                            std::span<const std::byte> bytes);
+
     [[nodiscard]] MapBounds at(const Pose& pose) const;
     /// From there until parked, with as many changes as at() says, or fewer; each piece is checked by exact contact. Empty where none is
     /// known, and where the car is parked already.
@@ -89,6 +101,7 @@ private:
     void moves(const Pose& pose, detail::WayLists& lists, std::vector<Move>& moves) const;
 
     struct Swept;
+    explicit ParkMap(std::shared_ptr<const Swept> swept) : swept_(std::move(swept)) {}
     std::shared_ptr<const Swept> swept_;
 };
 

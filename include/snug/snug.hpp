@@ -3,6 +3,7 @@
 
 #include "snug/answer.hpp"
 #include "snug/any_maneuver.hpp"
+#include "snug/assistant.hpp"
 #include "snug/atlas.hpp"
 #include "snug/baselines.hpp"
 #include "snug/batch.hpp"

@@ -50,12 +50,11 @@ struct CellHeadings {
 };
 
 /// The same number many times over. Fresh memory is slow, so somebody looks at the clock now and then.
-std::vector<double> many(std::size_t count, double number, const Watch& watch) {
+Numbers many(std::size_t count, double number, const Watch& watch) {
     constexpr std::size_t at_once = std::size_t{1} << 20;
-    std::vector<double> numbers;
-    numbers.reserve(count);
-    while (numbers.size() < count) {
-        numbers.resize(std::min(count, numbers.size() + at_once), number);
+    Numbers numbers(watch.store(), count);
+    for (std::size_t done = 0; done < count; done += at_once) {
+        std::fill_n(numbers.begin() + done, std::min(count - done, at_once), number);
         watch();
     }
     return numbers;
@@ -460,7 +459,7 @@ void Heights::sweep_cells(int row, const Window& cells, Direction direction, con
         before = nothing_.data();
     }
     const bool backward = direction == Direction::backward && !lattice_->needed_backward_.empty();
-    const std::vector<double>& needed = backward ? lattice_->needed_backward_ : lattice_->needed_;
+    const Numbers& needed = backward ? lattice_->needed_backward_ : lattice_->needed_;
     const SweepTerms& terms = lattice_->terms_of(direction, row);
     const Above above = !backward ? Above::allowed : lattice_->bound_ == Bound::lower ? Above::lowered : Above::dropped;
     const std::size_t term = lattice_->term(cells.from);

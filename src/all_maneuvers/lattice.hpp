@@ -13,16 +13,33 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "all_maneuvers/numbers.hpp"
 #include "contact/entering.hpp"
 #include "snug/maneuver.hpp"
 
 namespace snug::detail {
 
-/// Looks whether time is up or the caller has had enough, and throws GivenUp if so.
-using Watch = std::function<void()>;
 struct GivenUp {};
+/// What the lattices of a question share. Called, it looks whether time is up or the caller has had enough, and throws
+/// GivenUp if so.
+class Watch {
+public:
+    template <class Look, class = std::enable_if_t<std::is_invocable_v<Look&>>>
+    Watch(Look look) : look_(std::move(look)) {}  // NOLINT(google-explicit-constructor)
+
+    void operator()() const { look_(); }
+    /// The memory of the question.
+    [[nodiscard]] const std::shared_ptr<NumberStore>& store() const { return store_; }
+
+private:
+    std::function<void()> look_;
+    std::shared_ptr<NumberStore> store_ = std::make_shared<NumberStore>();
+};
 
 /// Which bound on the number of direction changes the lattice gives.
 enum class Bound {
@@ -190,8 +207,8 @@ private:
     SweepTerms forward_[2], backward_[2];  // likewise
     Rows rows_;                            // within which the car may be
     std::vector<std::size_t> begin_;       // of each row's cells
-    std::vector<double> needed_;           // lowest free position of each cell
-    std::vector<double> needed_backward_;  // where that is another one driving backward
+    Numbers needed_;                       // lowest free position of each cell
+    Numbers needed_backward_;              // where that is another one driving backward
     std::vector<Goal> goals_;
 };
 
@@ -221,7 +238,7 @@ private:
     void sweep_cells(int row, const Window& cells, Direction direction, const double* before);
 
     const Lattice* lattice_;
-    std::vector<double> z_;
+    Numbers z_;
     std::vector<double> nothing_;
     Rows reached_;
     std::size_t updates_ = 0;

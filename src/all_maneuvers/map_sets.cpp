@@ -46,18 +46,20 @@ std::size_t bytes_of(const ByCell<Of>& cells) {
 
 }  // namespace
 
-OuterMap::OuterMap(const ChartPlace& place, double h, int most, const Watching& watch)
-    : lattice_(place, h, h, nullptr, watch) {
+OuterMap::OuterMap(const ChartPlace& place, double h, int most, const Watching& watch) {
+    const OuterLattice lattice(place, h, h, nullptr, watch);
+    grid_ = lattice.grid();
+    for (const Layer& layer : lattice.free()) spans_.push_back(layer.spans);
     struct Logged {
         std::uint32_t node;
         Micro z, w;
     };
-    const std::size_t layers = lattice_.free().size();
+    const std::size_t layers = spans_.size();
     BothWays<std::vector<std::vector<Logged>>> logs;  // by layer and level
     for (const Direction direction : both_directions) logs.of(direction).resize(layers);
     BothWays<Pairs> now;
     for (int k = 0; k <= most && !complete_; ++k) {
-        BothWays<Pairs> next = next_moves(lattice_, k > 0 ? &now.forward.back() : nullptr,
+        BothWays<Pairs> next = next_moves(lattice, k > 0 ? &now.forward.back() : nullptr,
                                           k > 0 ? &now.backward.back() : nullptr, false, watch);
         complete_ = true;
         for (const Direction direction : both_directions) {
@@ -65,7 +67,7 @@ OuterMap::OuterMap(const ChartPlace& place, double h, int most, const Watching& 
                 const Pairs::Of& to = next.of(direction).front().layers[m];
                 const Pairs::Of* from = k > 0 ? &now.of(direction).front().layers[m] : nullptr;
                 std::vector<Logged> log;
-                for (std::size_t i = 0; i < lattice_.free()[m].spans.cells; ++i) {
+                for (std::size_t i = 0; i < spans_[m].cells; ++i) {
                     if (from ? to.z[i] == from->z[i] && to.w[i] == from->w[i] : to.z[i] == -nowhere) continue;
                     log.push_back({static_cast<std::uint32_t>(i), to.z[i], to.w[i]});
                 }
@@ -79,21 +81,20 @@ OuterMap::OuterMap(const ChartPlace& place, double h, int most, const Watching& 
     for (const Direction direction : both_directions) {
         std::vector<ByCell<Level>>& mine = direction == Direction::forward ? forward_ : backward_;
         for (std::size_t m = 0; m < layers; ++m)
-            mine.push_back(
-                by_cell<Level>(logs.of(direction)[m], lattice_.free()[m].spans.cells, [](const Logged& one, int k) {
-                    return Level{one.z, one.w, k};
-                }));
+            mine.push_back(by_cell<Level>(logs.of(direction)[m], spans_[m].cells, [](const Logged& one, int k) {
+                return Level{one.z, one.w, k};
+            }));
     }
 }
 
 int OuterMap::changes_at(const Pose& pose) const {
     int fewest = most_ + 1;
     for (const Direction direction : both_directions) {
-        const OuterLattice::Place at = lattice_.place_of(pose, direction);
+        const CellGrid::Place at = grid_.place_of(pose, direction);
         const int cell = cell_of(at.column);
         const std::vector<ByCell<Level>>& levels = direction == Direction::forward ? forward_ : backward_;
         for (std::size_t m = 0; m < levels.size(); ++m) {
-            const Span span = lattice_.free()[m].spans.of(at.row);
+            const Span span = spans_[m].of(at.row);
             if (cell < span.from || cell > span.to) continue;
             const std::size_t i = span.at(cell);
             for (const Level* level = levels[m].first(i); level != levels[m].last(i); ++level) {
@@ -113,8 +114,7 @@ std::size_t OuterMap::bytes() const {
     std::size_t sum = 0;
     for (const std::vector<ByCell<Level>>* levels : {&forward_, &backward_})
         for (const ByCell<Level>& layer : *levels) sum += bytes_of(layer);
-    for (const Limits* limits : {&lattice_.free(), &lattice_.parked()})
-        for (const Layer& layer : *limits) sum += layer.low.size() * 2 * sizeof(Micro);
+    for (const Spans& spans : spans_) sum += spans.rows.size() * sizeof(Span);
     return sum;
 }
 

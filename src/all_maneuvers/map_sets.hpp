@@ -14,6 +14,7 @@
 #include "all_maneuvers/chart.hpp"
 #include "all_maneuvers/inner_sets.hpp"
 #include "all_maneuvers/outer_sets.hpp"
+#include "all_maneuvers/packing.hpp"
 #include "all_maneuvers/steps.hpp"
 #include "contact/place_contact.hpp"
 #include "snug/maneuver.hpp"
@@ -26,6 +27,10 @@ struct ByCell {
     std::vector<std::uint32_t> begin;
     std::vector<Of> of;
 
+    template <class Self, class Pack>
+    static void pack(Self& self, Pack& pack) {
+        pack(self.begin, self.of);
+    }
     [[nodiscard]] const Of* first(std::size_t cell) const { return of.data() + begin[cell]; }
     [[nodiscard]] const Of* last(std::size_t cell) const { return of.data() + begin[cell + 1]; }
 };
@@ -34,6 +39,11 @@ struct ByCell {
 class OuterMap {
 public:
     OuterMap(const ChartPlace& place, double h, int most, const Watching& watch);
+    explicit OuterMap(Unpacking& from) { from(*this); }
+    template <class Self, class Pack>
+    static void pack(Self& self, Pack& pack) {
+        pack(self.grid_, self.spans_, self.most_, self.complete_, self.forward_, self.backward_);
+    }
 
     /// The fewest with which the sets hold a pose in the chart; more than asked for where they do not.
     [[nodiscard]] int changes_at(const Pose& pose) const;
@@ -48,10 +58,11 @@ private:
         Micro z, w;
         int changes;
     };
-    OuterLattice lattice_;
+    CellGrid grid_;
+    std::vector<Spans> spans_;  ///< of the layers that are free
     int most_ = 0;
     bool complete_ = false;
-    std::vector<ByCell<Level>> forward_, backward_;  ///< beside the free layers
+    std::vector<ByCell<Level>> forward_, backward_;  ///< beside them
 };
 
 /// A way from a pose to a node, and with how many changes it goes on from there.
@@ -67,6 +78,13 @@ struct Joining {
 class InnerMap {
 public:
     InnerMap(const ChartPlace& place, double h, int most, const Watching& watch);
+    InnerMap(const ChartPlace& place, Unpacking& from) : place_(place) { from(*this); }
+    template <class Self, class Pack>
+    static void pack(Self& self, Pack& pack) {
+        pack(self.h_, self.sine_step_, self.first_row_, self.last_row_, self.first_cell_, self.first_column_,
+             self.last_column_, self.width_, self.level_, self.intervals_, self.forward_, self.backward_, self.parked_);
+        for (auto& free : self.free_) pack(free);
+    }
 
     /// The way with the fewest changes that is known; empty where none is. Nothing is allocated.
     [[nodiscard]] std::optional<Joining> joining(const Pose& pose) const;
@@ -133,7 +151,7 @@ private:
     [[nodiscard]] bool is_apart(const Moved& from, const Moved& to, double side) const;
 
     ChartPlace place_;
-    double h_, sine_step_;
+    double h_ = 0.0, sine_step_ = 0.0;
     int first_row_ = 0, last_row_ = 0, first_cell_ = 0, first_column_ = 0, last_column_ = 0;
     std::size_t width_ = 0;
     std::vector<double> level_;

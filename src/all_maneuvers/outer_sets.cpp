@@ -398,22 +398,23 @@ Pairs OuterLattice::begin(const Limits& places, const Limits& limits, Direction 
     return pairs;
 }
 
-OuterLattice::Place OuterLattice::place_of(const Pose& pose, Direction direction) const {
-    const double sine = angles::sin(pose.heading), across = radius_ * sine;
+CellGrid::Place CellGrid::place_of(const Pose& pose, Direction direction) const {
+    const double sine = angles::sin(pose.heading), across = radius * sine;
     const double a = pose.x - across, b = pose.x + across;
-    const double a0 = x0_ - radius_ * sine0_ - h_ / 2.0, b0 = x0_ + radius_ * sine0_ - h_ / 2.0;
-    const int i = static_cast<int>(std::floor((a - a0) / h_)), j = static_cast<int>(std::floor((b - b0) / h_));
+    const double a0 = x0 - radius * sine0 - h / 2.0, b0 = x0 + radius * sine0 - h / 2.0;
+    const int i = static_cast<int>(std::floor((a - a0) / h)), j = static_cast<int>(std::floor((b - b0) / h));
     const int d = j - i;
-    const double in_a = a - a0 - i * h_, in_b = b - b0 - j * h_;
-    const double t_high = tangent_of(clamped(this->sine(d + 1))), t_low = tangent_of(clamped(this->sine(d - 1)));
-    const double level = radius_ * cosine_of(sine);
+    const double in_a = a - a0 - i * h, in_b = b - b0 - j * h;
+    const auto tangent_at = [&](int column) { return tangent_of(clamped(sine0 + column * sine_step)); };
+    const double t_high = tangent_at(d + 1), t_low = tangent_at(d - 1);
+    const double level = radius * cosine_of(sine);
     if (direction == Direction::forward) return {i + j, d, in_a * t_high - level, in_b * t_low + level};
-    return {i + j, d, (in_a - h_) * t_low - level, (in_b - h_) * t_high + level};
+    return {i + j, d, (in_a - h) * t_low - level, (in_b - h) * t_high + level};
 }
 
 Pairs OuterLattice::begin_at_start(const Limits& limits, Direction direction) const {
     Pairs pairs = none(limits);
-    const Place at = place_of(start_, direction);
+    const CellGrid::Place at = grid().place_of(start_, direction);
     const int cell = cell_of(at.column);
     std::vector<Micro> z(1 + vector_padding, -nowhere), w(1 + vector_padding, nowhere);
     z[0] = rounded_up(start_.y - at.up + 1e-9);
@@ -428,7 +429,7 @@ Pairs OuterLattice::begin_at_start(const Limits& limits, Direction direction) co
 }
 
 bool OuterLattice::holds(const Pairs& pairs, const Limits& limits, Direction direction, const Pose& pose) const {
-    const Place at = place_of(pose, direction);
+    const CellGrid::Place at = grid().place_of(pose, direction);
     const int cell = cell_of(at.column);
     for (std::size_t k = 0; k < limits.size(); ++k) {
         const Span mine = limits[k].spans.of(at.row);

@@ -64,6 +64,10 @@ struct Spans {
     [[nodiscard]] int last() const { return first + static_cast<int>(rows.size()) - 1; }
     /// Gives every row its place in the store.
     void store();
+    template <class Self, class Pack>
+    static void pack(Self& self, Pack& pack) {
+        pack(self.first, self.rows, self.cells);
+    }
 };
 
 /// Within row s the cell of column d.
@@ -115,6 +119,18 @@ Limits trimmed(const Limits& limits);
 /// The hull of several in every cell.
 Layer hull(const std::vector<const Limits*>& several);
 
+/// Where the cells of a lattice lie.
+struct CellGrid {
+    double h = 0.0, radius = 0.0, x0 = 0.0, sine0 = 0.0, sine_step = 0.0;
+
+    /// The cell a pose lies in, and what lies between a pair's bounds and y there.
+    struct Place {
+        int row, column;
+        double up, down;  ///< y <= z + up, y >= w + down
+    };
+    [[nodiscard]] Place place_of(const Pose& pose, Direction direction) const;
+};
+
 class OuterLattice {
 public:
     /// Cells of side h, the start pose a third of h0 from the corner of one; h0 / h is a power of two. Only within what is
@@ -148,12 +164,7 @@ public:
     /// The free intervals, clipped to what is left of the lattice twice as coarse.
     [[nodiscard]] Limits clipped(const Limits& coarser) const;
 
-    /// The cell a pose lies in, and what lies between the pair's bounds and y there.
-    struct Place {
-        int row, column;
-        double up, down;  ///< y <= z + up, y >= w + down
-    };
-    [[nodiscard]] Place place_of(const Pose& pose, Direction direction) const;
+    [[nodiscard]] CellGrid grid() const { return {h_, radius_, x0_, sine0_, sine_step_}; }
 
     /// Cells computed so far.
     mutable std::size_t updates = 0;

@@ -171,11 +171,13 @@ TurnMet first_met_turning(const PlainMove& move, Turning& turn) {
     int index = frame.sector_of(now);
     for (int i = 0; i <= 4 * frame.per_quarter; ++i) {
         const Sector& sector = frame.at(now.quarter, index);
-        const FoundAt first = first_in_sector(frame, sector, move.problem, turn.x, turn.y, now.quarter, now.c, now.s);
-        const bool full_circle = i == 4 * frame.per_quarter && first.order < turn.start.order() + full_circle_slack;
-        if (first.meets != Meets::nothing && !full_circle) {
+        Found found;
+        const Bearing first =
+            first_in_sector(frame, sector, move.problem, turn.x, turn.y, now.quarter, now.c, now.s, found);
+        const bool full_circle = i == 4 * frame.per_quarter && first.order() < turn.start.order() + full_circle_slack;
+        if (found.meets != Meets::nothing && !full_circle) {
             const QuarterHeading at = {first.c, first.s, now.quarter};
-            return {{turned(turn.start, at) / std::abs(move.curvature), first.meets, first.part}, at};
+            return {{turned(turn.start, at) / std::abs(move.curvature), found.meets, found.part}, at};
         }
         if (++index == frame.per_quarter) {
             index = 0;

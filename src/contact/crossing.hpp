@@ -21,6 +21,7 @@ struct Plain {
     static bool both(bool a, bool b) { return a && b; }
     static bool either(bool a, bool b) { return a || b; }
     static bool opposite(bool a) { return !a; }
+    static bool never() { return false; }
     /// Is there nothing left to look at? Leaving early pays.
     static bool none(bool mask) { return !mask; }
     static bool rarely(bool mask) { return mask; }

@@ -72,9 +72,34 @@ SNUG_INLINE Crossing<typename N::Real> corner_on_ground(const SeenCorner<typenam
             corner.per_square};
 }
 
-/// A fixed point (gx, gy) and an edge of the car with outward normal (nx, ny) at the distance `off` from the centre.
-template <class N, class Real = typename N::Real>
-SNUG_INLINE Crossing<Real> point_on_edge(const Real& gx, const Real& gy, const Real& nx, const Real& ny, const Real& off) {
+/// Outward normal of an edge of the car: how far a point, or a direction, leads out over the edge, and to the right along it.
+template <class N>
+struct Normal {
+    typename N::Real x, y;
+    SNUG_INLINE typename N::Real out(const typename N::Real& px, const typename N::Real& py) const {
+        return px * x + py * y;
+    }
+    SNUG_INLINE typename N::Real right(const typename N::Real& px, const typename N::Real& py) const {
+        return px * y - py * x;
+    }
+};
+/// That of an edge which lies level below the car, or upright on its left: without the multiplications.
+template <class N>
+struct Downward {
+    SNUG_INLINE typename N::Real out(const typename N::Real&, const typename N::Real& py) const { return N::minus(py); }
+    SNUG_INLINE typename N::Real right(const typename N::Real& px, const typename N::Real&) const {
+        return N::minus(px);
+    }
+};
+template <class N>
+struct Leftward {
+    SNUG_INLINE typename N::Real out(const typename N::Real& px, const typename N::Real&) const { return N::minus(px); }
+    SNUG_INLINE typename N::Real right(const typename N::Real&, const typename N::Real& py) const { return py; }
+};
+
+/// A fixed point (gx, gy) and an edge of the car with this outward normal, at the distance `off` from the centre.
+template <class N, class AnyNormal, class Real = typename N::Real>
+SNUG_INLINE Crossing<Real> point_on_edge(const Real& gx, const Real& gy, const AnyNormal& normal, const Real& off) {
     const Real reach = gx * gx + gy * gy;
-    return {N::minus(gx * nx + gy * ny), gx * ny - gy * nx, N::minus(off), reach - off * off, N::set(1.0) / reach};
+    return {N::minus(normal.out(gx, gy)), normal.right(gx, gy), N::minus(off), reach - off * off, N::set(1.0) / reach};
 }

@@ -13,6 +13,8 @@ namespace snug::detail {
 
 namespace {
 
+constexpr double plainly = 1e-9;  ///< by this part of the size it is not a matter of rounding
+
 /// Of the rear neighbour, seen from the front one's corner.
 Point rear_corner(const Problem& problem) { return {-problem.length, problem.front_setback - problem.rear_setback}; }
 
@@ -41,14 +43,17 @@ Pose entry_pose(const Problem& problem, const Point& corner, double heading) {
     return {corner.y * s - corner.x * c, -corner.x * s - corner.y * c - problem.front_setback, heading};
 }
 
-EntryShape::EntryShape(const Problem& problem) : corner(entry_corner(problem)) {
+EntryShape::EntryShape(const Problem& problem) : EntryShape(problem, directions(problem.body)) {}
+
+EntryShape::EntryShape(const Problem& problem, const Few<Point, 4>& ways) : corner(entry_corner(problem)) {
     const std::vector<Point>& corners = problem.body.corners();
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point& next = corners[(i + 1) % corners.size()];
-        edges.push_back({{corners[i].x - corner.x, corners[i].y - corner.y}, outward(direction(corners[i], next))});
+        const Point& next = corners[i + 1 == corners.size() ? 0 : i + 1];
+        edges.push_back({{corners[i].x - corner.x, corners[i].y - corner.y}, outward(ways[i])});
         if (next == corner) before = edges.back().normal;
         if (corners[i] == corner) after = edges.back().normal;
     }
+    if (problem.at_curb == problem.body) return;
     for (const Point& own : problem.at_curb.corners()) at_curb.push_back({own.x - corner.x, own.y - corner.y});
 }
 
@@ -61,22 +66,26 @@ double EntryShape::clears(const Problem& problem, double c, double s) const {
     double least = std::min(first_move_clears(problem, corner, c, s), -turned_y(before) * size);
     if (turned_y(after) <= 0.0) least = std::min(least, turned_x(after) * size);
 
-    for (const Point& own : at_curb) least = std::min(least, turned_y(own) + problem.width - problem.front_setback);
-
     const Point rear = rear_corner(problem);
     double left = std::numeric_limits<double>::infinity();
     double low = left;
-    double apart = -left;
     for (const Edge& edge : edges) {
-        const double x = turned_x(edge.corner);
-        const double y = turned_y(edge.corner);
-        left = std::min(left, x);
-        low = std::min(low, y);
+        left = std::min(left, turned_x(edge.corner));
+        low = std::min(low, turned_y(edge.corner));
+    }
+    double lowest_at_curb = at_curb.empty() ? low : std::numeric_limits<double>::infinity();
+    for (const Point& own : at_curb) lowest_at_curb = std::min(lowest_at_curb, turned_y(own));
+    least = std::min(least, lowest_at_curb + problem.width - problem.front_setback);
+
+    double apart = std::max(left - rear.x, low - rear.y);
+    if (apart > plainly * size) return std::min(least, apart);
+    for (const Edge& edge : edges) {
         const Point normal = {turned_x(edge.normal), turned_y(edge.normal)};
         if (normal.x > 0.0 || normal.y > 0.0) continue;
-        apart = std::max(apart, normal.x * (rear.x - x) + normal.y * (rear.y - y));
+        const Point at = {turned_x(edge.corner), turned_y(edge.corner)};
+        apart = std::max(apart, normal.x * (rear.x - at.x) + normal.y * (rear.y - at.y));
     }
-    return std::min(least, std::max({apart, left - rear.x, low - rear.y}));
+    return std::min(least, apart);
 }
 
 bool is_possible(const Problem& problem, const EntryShape& shape, double heading, double c, double s) {
@@ -85,7 +94,7 @@ bool is_possible(const Problem& problem, const EntryShape& shape, double heading
     double clears = shape.clears(problem, c, s);
     if (problem.front_setback == 0.0 && problem.rear_setback == 0.0)
         clears = std::min(clears, problem.length - problem.body.front() - problem.body.rear());
-    if (std::abs(clears) > 1e-9 * size) return clears > 0.0;
+    if (std::abs(clears) > plainly * size) return clears > 0.0;
     return lies_in(possible_headings(problem, shape), heading);
 }
 
@@ -106,7 +115,10 @@ std::vector<Headings> possible_headings(const Problem& problem, const EntryShape
     roots(shape.before.y, shape.before.x, 0.0, cut);
     roots(shape.after.x, -shape.after.y, 0.0, cut);
     roots(problem.radius - corner.y, -corner.x, 0.0, cut);
-    for (const Point& own : shape.at_curb) roots(own.y, own.x, problem.front_setback - problem.width, cut);
+    const auto meets_curb = [&](const Point& own) { roots(own.y, own.x, problem.front_setback - problem.width, cut); };
+    for (const Point& own : shape.at_curb) meets_curb(own);
+    if (shape.at_curb.empty())
+        for (const EntryShape::Edge& edge : shape.edges) meets_curb(edge.corner);
     for (const EntryShape::Edge& edge : shape.edges) {
         roots(edge.corner.x, -edge.corner.y, rear.x, cut);
         roots(edge.corner.y, edge.corner.x, rear.y, cut);

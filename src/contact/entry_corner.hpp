@@ -30,12 +30,14 @@ struct EntryShape {
     Point corner;         ///< the entry corner
     Point before, after;  ///< outward normals of the edges beside it
     Few<Edge, 4> edges;
-    Few<Point, 4> at_curb;  ///< corners of what stops at the curb, seen from the entry corner
+    Few<Point, 4> at_curb;  ///< corners of what stops at the curb, seen from the entry corner; none if it is the body
 
     explicit EntryShape(const Problem& problem);
+    /// With the directions of the body's edges.
+    EntryShape(const Problem& problem, const Few<Point, 4>& ways);
 
     /// By how much the body clears what it could overlap at the heading with this direction, and the entry corner the front
-    /// neighbour on the first move; negative if it does not [m].
+    /// neighbour on the first move; negative if it does not [m]. Where it plainly clears something it may clear it by more.
     [[nodiscard]] double clears(const Problem& problem, double c, double s) const;
 };
 

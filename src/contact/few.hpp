@@ -16,10 +16,15 @@ class Few {
 
 public:
     Few() {}  // a default one would clear all its bytes where it is made by {}; NOLINT(modernize-use-equals-default)
-    Few(const Few& other) : size_(other.size_), many_(other.many_) { copy_own(other); }
+    Few(const Few& other) : size_(other.size_), many_(other.many_) {
+        place();
+        copy_own(other);
+    }
     Few& operator=(const Few& other) {
+        if (this == &other) return *this;
         size_ = other.size_;
         many_ = other.many_;
+        place();
         copy_own(other);
         return *this;
     }
@@ -27,8 +32,8 @@ public:
 
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
-    [[nodiscard]] T* data() { return size_ <= InPlace ? own() : many_.data(); }
-    [[nodiscard]] const T* data() const { return size_ <= InPlace ? own() : many_.data(); }
+    [[nodiscard]] T* data() { return data_; }
+    [[nodiscard]] const T* data() const { return data_; }
     [[nodiscard]] T* begin() { return data(); }
     [[nodiscard]] T* end() { return data() + size_; }
     [[nodiscard]] const T* begin() const { return data(); }
@@ -45,6 +50,7 @@ public:
         if (size_ == InPlace) many_.assign(own(), own() + InPlace);
         many_.push_back(element);
         ++size_;
+        place();
     }
     /// New elements are to be set.
     void resize(std::size_t size) {
@@ -55,17 +61,20 @@ public:
             std::copy_n(many_.data(), size, own());
         }
         size_ = size;
+        place();
     }
 
 private:
     [[nodiscard]] T* own() { return reinterpret_cast<T*>(bytes_.data()); }
     [[nodiscard]] const T* own() const { return reinterpret_cast<const T*>(bytes_.data()); }
+    void place() { data_ = size_ <= InPlace ? own() : many_.data(); }
     void copy_own(const Few& other) {
         if (size_ <= InPlace) std::copy_n(other.own(), size_, own());
     }
 
     alignas(T) std::array<std::byte, InPlace * sizeof(T)> bytes_;
     std::size_t size_ = 0;
+    T* data_ = own();  ///< where they are
     std::vector<T> many_;
 };
 

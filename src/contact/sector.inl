@@ -35,8 +35,10 @@ struct SeenEdge {
 /// How a part of the car and an obstacle stand at the start: closing in, or corner to corner and bound to miss each other.
 template <class N>
 struct AtStart {
-    typename N::Mask touches;
-    typename N::Mask slips_off;
+    typename N::Mask touching;   ///< and closing in,
+    typename N::Mask slips_off;  ///< but bound to miss it
+
+    [[nodiscard]] SNUG_INLINE typename N::Mask touches() const { return N::both(touching, N::opposite(slips_off)); }
 };
 
 /// First contact while turning clockwise, from the heading (c, s). What touches already and would move in is met at once;
@@ -66,24 +68,48 @@ struct First {
     SNUG_INLINE void consider(const Root<Real>& at, Mask exists, const Ask& at_start, Meets meets, int part) {
         const Real at_order = at.s - at.c;
         const Real later = start_order - at_order;
-        const Mask possible = N::both(exists, later > N::set(-near_start));
-        if (N::none(possible)) return;
-        const Mask near = later < N::set(near_start);
-        AtStart<N> found_there{near, near};
-        if (!N::none(near)) found_there = at_start();
-        const Mask touches = N::both(near, found_there.touches);
-        const Mask slips_off = N::both(near, found_there.slips_off);
-        const Mask ahead = N::both(N::least(N::least(at.s, at.c), later) >= N::set(0.0), at_order >= end_order);
-        const Mask met = N::both(possible, N::either(touches, N::both(N::opposite(slips_off), ahead)));
-        if (N::none(met)) return;
-        found.lies_ahead(met, meets);
-        const Real met_order = N::select(touches, start_order, at_order);
-        const Mask earlier = N::both(met, met_order > order);
-        if (N::none(earlier)) return;
-        c = N::select(earlier, at.c, c);
-        s = N::select(earlier, at.s, s);
-        order = N::select(earlier, met_order, order);
-        found.is_first(earlier, at.across, meets, part);
+        if constexpr (N::alone) {  // the same as below; mostly only the last question is asked
+            if (!exists) return;
+            bool touches = false;
+            if (later < near_start) {
+                if (!(later > -near_start)) return;
+                const AtStart<N> found_there = at_start();
+                touches = found_there.touching && !found_there.slips_off;
+                if (!touches && (found_there.touching || !(later >= 0.0))) return;
+            }
+            if (!touches && !(N::least(at.s, at.c) >= 0.0 && at_order >= end_order)) return;
+            found.lies_ahead(true, meets);
+            const bool there = touches || later == 0.0;  // what is met at the start is met right there
+            const Real met_order = there ? start_order : at_order;
+            if (!(met_order > order)) return;
+            c = there ? start_c : at.c;
+            s = there ? start_s : at.s;
+            order = met_order;
+            found.is_first(true, at.across, meets, part);
+        } else {
+            const AtStart<N> found_there = at_start();
+            const Mask touching = N::both(N::abs(later) < N::set(near_start), found_there.touching);
+            const Mask touches = N::both(touching, N::opposite(found_there.slips_off));
+            const Mask ahead =
+                N::least(N::least(at.s, at.c), later) >= N::set(0.0);  // a sector is a whole quarter turn
+            const Mask met = N::both(exists, N::either(touches, N::both(N::opposite(touching), ahead)));
+            found.lies_ahead(met, meets);
+            const Real met_order = N::select(touches, start_order, at_order);
+            const Mask earlier = N::both(met, met_order > order);
+            c = N::select(earlier, at.c, c);
+            s = N::select(earlier, at.s, s);
+            order = N::select(earlier, met_order, order);
+            found.is_first(earlier, at.across, meets, part);
+        }
+    }
+
+    /// Rounding can have a circle end short of a line that it only just reaches. It is taken to reach it there; whoever asks
+    /// must see that the car touches the line from the start, for then its first way is what decides: in or away.
+    SNUG_INLINE Mask just_reaches(Crossing<Real>& crossing, Real radius, Real touch) {
+        const Real rounding = radius * touch;
+        const Mask just = N::both(crossing.square < N::set(0.0), crossing.square >= N::minus(rounding));
+        if (N::rarely(just)) crossing.square = N::select(just, N::set(0.0), crossing.square);
+        return just;
     }
 
     /// A corner of the car meets the upright side of a neighbour, to the right (sign 1) or to the left (sign -1).
@@ -94,7 +120,8 @@ struct First {
         if constexpr (N::alone && Sign > 0) {
             if (above_top > 2.0 * touch) return;
         }
-        const Crossing<Real> crossing = corner_on_wall<N, Sign>(corner, along);
+        Crossing<Real> crossing = corner_on_wall<N, Sign>(corner, along);
+        const Mask just = just_reaches(crossing, corner.radius, touch);
         if constexpr (N::alone) {  // told from the root's square; nor where there is no root
             const Real top = Sign > 0 ? 2.0 * touch - above_top : above_top - 2.0 * touch;
             if (Sign > 0 ? !(crossing.square <= top * top) : top > 0.0 && !(crossing.square >= top * top)) return;
@@ -102,33 +129,38 @@ struct First {
         }
         const Root<Real> at = root<N>(crossing);
         const Real height = above_top + corner.x * at.s + corner.y * at.c;
-        Mask exists = N::both(crossing.square >= N::set(0.0), height <= touch);
-        if (N::none(exists)) return;
+        Mask exists = height <= touch;  // false where there is no root
         const auto at_start = [&]() SNUG_LAMBDA {
             const Real start_x = corner.x * start_c - corner.y * start_s;
             const Real start_y = corner.x * start_s + corner.y * start_c;
             const Mask closes = Sign > 0 ? start_y > N::set(0.0) : start_y < N::set(0.0);
             const Mask touching = N::both(N::abs(along - start_x) <= touch, closes);
-            const Mask slips =
-                N::both(touching, N::both(above_top + start_y >= N::set(0.0) - touch, start_x <= N::set(0.0)));
-            return AtStart<N>{N::both(touching, N::opposite(slips)), slips};
+            return AtStart<N>{touching, N::both(above_top + start_y >= N::set(0.0) - touch, start_x <= N::set(0.0))};
         };
-        // Rounding may have lifted a corner that touches above the wall's end.
-        const Mask lifted = height > N::set(0.0);
-        if (!N::none(lifted)) exists = N::both(exists, N::either(N::opposite(lifted), at_start().touches));
+        // Rounding may have lifted a corner that touches above the wall's end, or ended its circle short of the wall.
+        const Mask sure = N::both(height <= N::set(0.0), N::opposite(just));
+        if constexpr (N::alone) {
+            if (!sure && !(exists && at_start().touches())) return;
+        } else {
+            exists = N::either(sure, N::both(exists, at_start().touches()));
+        }
         consider(at, exists, at_start, meets, corner.index);
     }
 
     SNUG_INLINE void corner_meets_curb(const SeenCorner<Real>& corner, Real above, Real touch) {
-        const Crossing<Real> crossing = corner_on_ground<N>(corner, above);
-        const Mask exists = crossing.square >= N::set(0.0);
-        if (N::none(exists)) return;
+        Crossing<Real> crossing = corner_on_ground<N>(corner, above);
+        const Mask just = just_reaches(crossing, corner.radius, touch);
+        Mask exists = crossing.square >= N::set(0.0);
+        if constexpr (N::alone) {
+            if (!exists) return;
+        }
         const auto at_start = [&]() SNUG_LAMBDA {
             const Real start_x = corner.x * start_c - corner.y * start_s;
             const Real start_y = corner.x * start_s + corner.y * start_c;
             const Mask touching = N::both(N::abs(start_y + above) <= touch, start_x > N::set(0.0));
-            return AtStart<N>{touching, N::both(touching, N::opposite(touching))};
+            return AtStart<N>{touching, N::never()};
         };
+        if (N::rarely(just)) exists = N::both(exists, N::either(N::opposite(just), at_start().touches()));
         consider(root<N>(crossing), exists, at_start, Meets::curb, corner.index);
     }
 
@@ -136,7 +168,8 @@ struct First {
     template <int Sign>
     SNUG_INLINE void corner_meets_top(const SeenCorner<Real>& corner, Real above, Real end, Mask high, Real touch,
                                       Meets meets) {
-        const Crossing<Real> crossing = corner_on_ground<N>(corner, above);
+        Crossing<Real> crossing = corner_on_ground<N>(corner, above);
+        const Mask just = just_reaches(crossing, corner.radius, touch);
         Mask exists = N::both(high, crossing.square >= N::set(0.0));
         if (N::none(exists)) return;
         const Root<Real> at = root<N>(crossing);
@@ -149,33 +182,39 @@ struct First {
             const Real start_y = corner.x * start_s + corner.y * start_c;
             const Mask touching = N::both(N::abs(start_y + above) <= touch, start_x > N::set(0.0));
             const Mask moves_onto = Sign > 0 ? start_y > N::set(0.0) : start_y < N::set(0.0);
-            return AtStart<N>{N::both(touching, N::either(beyond_end > touch, moves_onto)),
-                              N::both(touching, N::opposite(touching))};
+            return AtStart<N>{N::both(touching, N::either(beyond_end > touch, moves_onto)), N::never()};
         };
-        const Mask at_end = beyond_end <= touch;
-        if (!N::none(at_end)) exists = N::both(exists, N::either(N::opposite(at_end), at_start().touches));
+        const Mask unsure = N::either(just, beyond_end <= touch);
+        if (!N::none(unsure)) exists = N::both(exists, N::either(N::opposite(unsure), at_start().touches()));
         consider(at, exists, at_start, meets, corner.index);
     }
 
-    /// A neighbour's corner (gx, gy), seen from the centre, meets an edge of the car with the outward normal (nx, ny).
-    SNUG_INLINE void edge_meets_corner(const SeenEdge<N>& edge, Real nx, Real ny, Real gx, Real gy, Real touch,
+    /// A neighbour's corner (gx, gy), seen from the centre, meets an edge of the car with this outward normal.
+    template <class AnyNormal>
+    SNUG_INLINE void edge_meets_corner(const SeenEdge<N>& edge, const AnyNormal& normal, Real gx, Real gy, Real touch,
                                        Meets meets) {
-        const Crossing<Real> crossing = point_on_edge<N>(gx, gy, nx, ny, edge.distance);
+        Crossing<Real> crossing = point_on_edge<N>(gx, gy, normal, edge.distance);
+        const Mask just = just_reaches(crossing, N::abs(edge.distance), touch);
         const Root<Real> at = root<N>(crossing);
-        const Mask within = N::both(at.across <= edge.to + touch, at.across >= edge.from - touch);
-        const Mask exists = N::both(crossing.square >= N::set(0.0), within);
-        if (N::none(exists)) return;
+        // Both are false where there is no root.
+        const Mask short_of_end = at.across <= edge.to + touch;
+        const Mask past_start = at.across >= edge.from - touch;
+        if constexpr (N::alone) {
+            if (!short_of_end) return;
+            if (!past_start) return;
+        }
         const auto at_start = [&]() SNUG_LAMBDA {
             const Real start_x = gx * start_c + gy * start_s;
             const Real start_y = gy * start_c - gx * start_s;
-            const Real start_off = start_x * nx + start_y * ny;
-            const Real start_along = start_y * nx - start_x * ny;
+            const Real start_off = normal.out(start_x, start_y);
+            const Real start_along = N::minus(normal.right(start_x, start_y));
             const Mask touching = N::both(N::abs(start_off - edge.distance) <= touch, start_along > N::set(0.0));
             const Mask beyond = N::both(start_along >= edge.to - touch, edge.slips_on);
             const Mask before = N::both(start_along <= edge.from + touch, edge.slips_back);
-            const Mask slips = N::both(touching, N::either(beyond, before));
-            return AtStart<N>{N::both(touching, N::opposite(slips)), slips};
+            return AtStart<N>{touching, N::either(beyond, before)};
         };
+        Mask exists = N::both(short_of_end, past_start);
+        if (N::rarely(just)) exists = N::both(exists, N::either(N::opposite(just), at_start().touches()));
         consider(at, exists, at_start, meets, edge.index);
     }
 
@@ -195,6 +234,22 @@ struct First {
         const Mask above_rear = around.above_rear + low > N::set(0.0) - around.touch;
         if (N::rarely(above_rear))
             corner_meets_top<-1>(lowest, around.above_rear, rear, above_rear, around.touch, Meets::rear_top);
+    }
+
+    /// Everything, of a rectangle: it has one edge on either side of the lowest corner.
+    SNUG_INLINE void rectangle_meets(const SeenCorner<Real>& lowest, const SeenCorner<Real>& leftmost,
+                                     const SeenCorner<Real>& rightmost, const SeenCorner<Real>& at_curb,
+                                     const Surroundings<Real>& around) {
+        const Real zero = N::set(0.0);
+        corners_meet(lowest, leftmost, rightmost, at_curb, around);
+        const SeenEdge<N> below = {N::minus(lowest.y), lowest.x,         rightmost.x,
+                                   lowest.y >= zero,   lowest.y <= zero, lowest.index};
+        edge_meets_corner(below, Downward<N>(), zero - around.x, zero - around.above_front, around.touch,
+                          Meets::front_corner);
+        const SeenEdge<N> left = {N::minus(lowest.x), N::minus(leftmost.y), N::minus(lowest.y),
+                                  lowest.x >= zero,   lowest.x <= zero,     leftmost.index};
+        edge_meets_corner(left, Leftward<N>(), zero - around.x - around.length, zero - around.above_rear, around.touch,
+                          Meets::rear_corner);
     }
 
     [[nodiscard]] SNUG_INLINE Mask at_the_start() const { return order == start_order; }

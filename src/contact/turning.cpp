@@ -93,17 +93,6 @@ double below_centre(const TurningCorner& corner, double begin_order, double end_
     return order <= begin_order && order >= end_order ? order : never;
 }
 
-/// The directions of the body's edges.
-Few<Point, 4> directions(const Outline& body) {
-    const std::vector<Point>& corners = body.corners();
-    Few<Point, 4> ways;
-    ways.resize(corners.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        ways[i] = direction(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
-    }
-    return ways;
-}
-
 /// The edges of the body, as far as a point turning counter-clockwise about the centre can enter over them.
 Few<TurningEdge, 4> seen_edges(const Few<TurningCorner, 12>& corners, const Few<Point, 4>& ways, double touch) {
     const auto along = [](const TurningCorner& point, const Point& way) { return point.x * way.x + point.y * way.y; };
@@ -146,13 +135,15 @@ TurningShape::TurningShape(const Problem& problem)
       body(leading(problem.body, ends)),
       ways(directions(problem.body)),
       body_at_curb(problem.at_curb == problem.body),
-      body_is_frame(problem.frame == problem.body) {
+      body_is_frame(problem.frame == problem.body),
+      rectangle(ends.size() == 1 &&
+                std::all_of(ways.begin(), ways.end(), [](const Point& way) { return way.x == 0.0 || way.y == 0.0; })) {
     if (!body_at_curb) at_curb = leading(problem.at_curb, ends);
     if (!body_is_frame) frame = leading(problem.frame, ends);
 }
 
 TurningFrame::TurningFrame(const Problem& problem, const TurningShape& shape, double offset)
-    : per_quarter(static_cast<int>(shape.ends.size())) {
+    : per_quarter(static_cast<int>(shape.ends.size())), rectangle(shape.rectangle) {
     const auto add = [&](const Outline& outline) {
         for (const Point& corner : outline.corners()) {
             const double across = corner.y - offset;
@@ -204,6 +195,11 @@ void TurningFrame::see(const TurningShape& shape, int any_quarter) {
         sector.rightmost = seen(0, shape.body[i][right]);
         sector.at_curb = seen(at_curb_, at_curb[i][down]);
         sector.top = seen(frame_, of_frame[i][up]);
+        const auto edges_between = [&](const TurningCorner& a, const TurningCorner& b) {
+            return b.index - a.index + (b.index < a.index ? static_cast<int>(edges.size()) : 0);
+        };
+        sector.front_edges = edges_between(sector.lowest, sector.rightmost);
+        sector.rear_edges = edges_between(sector.leftmost, sector.lowest);
         sector.frame_low = point(seen(frame_, of_frame[i][down]));
         sector.frame_left = point(seen(frame_, of_frame[i][left]));
         sector.frame_right = point(seen(frame_, of_frame[i][right]));
@@ -213,28 +209,38 @@ void TurningFrame::see(const TurningShape& shape, int any_quarter) {
     }
 }
 
-FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
-                        int quarter, double c, double s) {
+Bearing first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
+                        int quarter, double c, double s, Found& found) {
     const Surroundings<double> around = {
         x, y, problem.length, y + problem.width, y + problem.front_setback, y + problem.rear_setback, problem.touch};
     First<Plain<double>, Found> first(c, s, sector.end_order);
+    if (frame.rectangle) {
+        first.rectangle_meets(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around);
+        found = first.found;
+        return {first.c, first.s};
+    }
     first.corners_meet(sector.lowest, sector.leftmost, sector.rightmost, sector.at_curb, around);
     const TurningEdge* const edges = frame.edges.data();
     const TurningEdge* const end = frame.edges.end();
     // Inlined twice by force, so that `first` stays in registers.
-    const auto edges_meet = [&](int from, int to, double gx, double gy, Meets meets) __attribute__((always_inline)) {
+    const auto edges_meet = [&](int from, int count, double gx, double gy, Meets meets) __attribute__((always_inline)) {
+        if (count == 0) return;
         const double square = gx * gx + gy * gy;
-        const TurningEdge* const last = edges + to;
-        for (const TurningEdge* edge = edges + from; edge != last; edge = edge + 1 == end ? edges : edge + 1) {
-            if (square < edge->nearest_square || square > edge->farthest_square) continue;
-            const Point& normal = edge->normal[static_cast<std::size_t>(quarter & 3)];
-            first.edge_meets_corner(*edge, normal.x, normal.y, gx, gy, problem.touch, meets);
+        const TurningEdge* edge = edges + from;
+        for (;;) {
+            if (!(square < edge->nearest_square || square > edge->farthest_square)) {
+                const Point& outward = edge->normal[static_cast<std::size_t>(quarter & 3)];
+                const Normal<Plain<double>> normal = {outward.x, outward.y};
+                first.edge_meets_corner(*edge, normal, gx, gy, problem.touch, meets);
+            }
+            if (--count == 0) return;
+            if (++edge == end) edge = edges;
         }
     };
-    edges_meet(sector.lowest.index, sector.rightmost.index, -x, -around.above_front, Meets::front_corner);
-    edges_meet(sector.leftmost.index, sector.lowest.index, -x - problem.length, -around.above_rear, Meets::rear_corner);
-    first.settle();
-    return {first.found, first.c, first.s, first.order};
+    edges_meet(sector.lowest.index, sector.front_edges, -x, -around.above_front, Meets::front_corner);
+    edges_meet(sector.leftmost.index, sector.rear_edges, -x - problem.length, -around.above_rear, Meets::rear_corner);
+    found = first.found;
+    return {first.c, first.s};
 }
 
 CarPart corner_at(const Outline& outline, const Point& point) {

@@ -105,8 +105,9 @@ struct Sector {
     TurningCorner lowest;     ///< of the body
     TurningCorner leftmost;
     TurningCorner rightmost;
-    TurningCorner at_curb;                     ///< the lowest of what stops at the curb
-    TurningCorner top;                         ///< the highest of the frame
+    TurningCorner at_curb;        ///< the lowest of what stops at the curb
+    TurningCorner top;            ///< the highest of the frame
+    int front_edges, rear_edges;  ///< how many there are from the lowest to the rightmost, and from the leftmost to it
     Point frame_low, frame_left, frame_right;  ///< the others of the frame, for all that counts as parked
     /// order() of the heading at which the corner at the curb is lowest, and the top is lowest; infinite if not in the sector.
     double graze_order = std::numeric_limits<double>::infinity();
@@ -137,6 +138,7 @@ struct TurningShape {
     Few<Point, 4> ways;                    ///< directions of the body's edges
     bool body_at_curb;                     ///< the body is what stops at the curb
     bool body_is_frame;
+    bool rectangle;  ///< the body is one
 };
 
 /// The outline all around one turning centre, or as much of it as has been looked at.
@@ -151,6 +153,7 @@ struct TurningFrame {
     Few<Sector, 4> sectors;     ///< quarter by quarter, as many in each, in the order of falling headings
     Few<TurningEdge, 4> edges;  ///< as the outline counts them
     int per_quarter = 1;
+    bool rectangle = false;  ///< the body is one: first contacts are found more simply
 
     /// The sector of a quarter, counted on from the quarter's first.
     [[nodiscard]] const Sector& at(int quarter, int sector) const {
@@ -179,15 +182,10 @@ inline double height_of(const TurningCorner& corner, double y, double c, double 
     return y + corner.x * s + corner.y * c;
 }
 
-/// A first contact and its heading.
-struct FoundAt : Found {
-    double c, s;
-    double order;  ///< -2 if there is none
-};
-
-/// First contact while turning clockwise about (x, y) within a sector of a quarter turn, from the heading (c, s).
-FoundAt first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
-                        int quarter, double c, double s);
+/// First contact while turning clockwise about (x, y) within a sector of a quarter turn, from the heading (c, s): where it
+/// is, if it is `found`.
+Bearing first_in_sector(const TurningFrame& frame, const Sector& sector, const Problem& problem, double x, double y,
+                        int quarter, double c, double s, Found& found);
 
 /// The part of an outline at one of its corners, or along one of its edges, named by where it is.
 CarPart corner_at(const Outline& outline, const Point& point);

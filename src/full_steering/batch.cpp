@@ -76,7 +76,7 @@ void Cases::enter_slot(std::size_t index) {
 bool Cases::in_vectors() const {
     const auto is_plain = [](const Slot& slot) { return slot.front_setback() == 0.0 && slot.rear_setback() == 0.0; };
     const Problem& problem = steering_.problem;
-    return steering_.backward.per_quarter == 1 && problem.at_curb == problem.body && steering_.height_decides &&
+    return steering_.backward.rectangle && problem.at_curb == problem.body && steering_.height_decides &&
            (slots_ == nullptr || std::all_of(slots_->begin(), slots_->end(), is_plain));
 }
 

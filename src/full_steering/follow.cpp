@@ -30,7 +30,7 @@ void follow(const FullSteering& steering, Run& run, int limit, std::vector<FullM
 
 bool in_vectors(const FullSteering& steering) {
     const Problem& problem = steering.problem;
-    return steering.backward.per_quarter == 1 && problem.at_curb == problem.body && steering.height_decides;
+    return steering.backward.rectangle && problem.at_curb == problem.body && steering.height_decides;
 }
 
 void follow_one_by_one(const FullSteering& steering, std::vector<Run>& runs, int limit, bool fewest,

@@ -46,7 +46,7 @@ private:
           backward(problem, shape, problem.radius),
           forward(problem, shape, -problem.radius),
           height_decides(first_quarter >= 0 && by_height_alone(problem)),
-          entry(problem) {
+          entry(problem, shape.ways) {
         problem.parked.heading = std::min(problem.parked.heading, limits::quarter_turn);
         for (int quarter = first_quarter; quarter <= turned_away.quarter; ++quarter) {
             backward.see(shape, quarter);
@@ -164,18 +164,18 @@ public:
             move.graze.fill(std::numeric_limits<double>::quiet_NaN());
         }
         for (int sectors = 0;; ++sectors) {
-            const FoundAt first =
-                first_in_sector(frame, *sector, steering_->problem, x_, y_, now.quarter, now.c, now.s);
-            const Found& contact = first;
+            Found contact;
+            const Bearing first =
+                first_in_sector(frame, *sector, steering_->problem, x_, y_, now.quarter, now.c, now.s, contact);
             const bool met = contact.meets != Meets::nothing;
             move.meets = contact.meets;
-            if constexpr (Slope) note_graze(*sector, now, move.meets, first.order, move);
-            if (sector->dip_order <= now.order() && !(met && first.order > sector->dip_order))
+            if constexpr (Slope) note_graze(*sector, now, move.meets, first.order(), move);
+            if (sector->dip_order <= now.order() && !(met && first.order() > sector->dip_order))
                 note_depth(y_ - sector->top.radius, y_slope_, move);
             if (met) {
                 move.ahead = static_cast<std::uint8_t>(contact.ahead);
                 move.part = static_cast<std::int16_t>(contact.part);
-                move.stuck = sectors == 0 && first.order == heading_.order();  // and the heading stays as it is
+                move.stuck = sectors == 0 && first.order() == heading_.order();  // and the heading stays as it is
                 if (!move.stuck) {
                     now.c = first.c;
                     now.s = first.s;
@@ -208,11 +208,18 @@ public:
                 if constexpr (Slope) move.depth_slope = y_slope_ + slope_of_height(sector->top, now) * end_slope;
             }
         }
-        if (!steering_->height_decides) miss_parking(frame, now, met, end_slope, move);
+        if (!steering_->height_decides) {  // more than the height does
+            const QuarterHeading start = {heading_.c, heading_.s, heading_.quarter};
+            const QuarterHeading end = met ? QuarterHeading{now.c, now.s, now.quarter} : turned_away;
+            const Miss miss = least_miss({&frame, &steering_->problem, x_, y_, x_slope_, y_slope_}, start, end,
+                                         heading_slope_, met ? end_slope : 0.0);
+            move.depth = miss.excess;
+            move.depth_slope = miss.slope;
+        }
         if (!met) return;
         if constexpr (Slope) heading_slope_ = end_slope;
         sector_ = index;
-        turn_over(now);
+        turn_over<Slope>(now);
     }
 
 private:
@@ -225,15 +232,6 @@ private:
             move.depth = height;
             move.depth_slope = slope;
         }
-    }
-
-    /// The depth where more than the height decides.
-    void miss_parking(const TurningFrame& frame, const QuarterHeading& end, bool met, double end_slope,
-                      FullMove& move) const {
-        const Miss miss = least_miss({&frame, &steering_->problem, x_, y_, x_slope_, y_slope_}, heading_,
-                                     met ? end : turned_away, heading_slope_, met ? end_slope : 0.0);
-        move.depth = miss.excess;
-        move.depth_slope = miss.slope;
     }
 
     [[nodiscard]] double end_slope_at(const TurningFrame& frame, const Found& contact, const QuarterHeading& at) const {
@@ -258,13 +256,16 @@ private:
         move.graze[static_cast<std::size_t>(from.quarter)] = y_ + steering_->problem.width - sector.at_curb.radius;
     }
 
+    template <bool Slope>
     void turn_over(const QuarterHeading& now) {
         heading_ = now;
         const double across = backward_ ? 2.0 * steering_->problem.radius : -2.0 * steering_->problem.radius;
         x_ += across * now.sine();
         y_ -= across * now.cosine();
-        x_slope_ += across * now.cosine() * heading_slope_;
-        y_slope_ += across * now.sine() * heading_slope_;
+        if constexpr (Slope) {
+            x_slope_ += across * now.cosine() * heading_slope_;
+            y_slope_ += across * now.sine() * heading_slope_;
+        }
         backward_ = !backward_;
     }
 

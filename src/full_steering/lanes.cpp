@@ -127,6 +127,7 @@ struct Lanes {
     static HWY_INLINE Mask both(Mask a, Mask b) { return hn::And(a, b); }
     static HWY_INLINE Mask either(Mask a, Mask b) { return hn::Or(a, b); }
     static HWY_INLINE Mask opposite(Mask a) { return hn::Not(a); }
+    static HWY_INLINE Mask never() { return hn::Zero(reals) > hn::Zero(reals); }
     static HWY_INLINE bool none(Mask) { return false; }  // some lane nearly always has something left
     static HWY_INLINE bool rarely(Mask mask) { return HWY_UNLIKELY(!hn::AllFalse(reals, mask)); }
 };
@@ -313,13 +314,7 @@ public:
                                   pick(Frames::rightmost_per_square)};
 
         First<Lanes, typename Source::Found> first(start_c, start_s, hn::Set(reals, -2.0));
-        first.corners_meet(lowest, leftmost, rightmost, lowest, {x, y, length, y + width, y, y, touch});
-        const Real minus_one = hn::Set(reals, -1.0);
-        const SeenEdge<Lanes> front = {hn::Neg(lowest.y), lowest.x, rightmost.x, lowest.y >= zero, lowest.y <= zero};
-        first.edge_meets_corner(front, zero, minus_one, zero - x, zero - y, touch, Meets::front_corner);
-        const SeenEdge<Lanes> rear = {hn::Neg(lowest.x), hn::Neg(leftmost.y), hn::Neg(lowest.y), lowest.x >= zero,
-                                      lowest.x <= zero};
-        first.edge_meets_corner(rear, minus_one, zero, zero - x - length, zero - y, touch, Meets::rear_corner);
+        first.rectangle_meets(lowest, leftmost, rightmost, lowest, {x, y, length, y + width, y, y, touch});
         first.settle();
 
         const Real top_x = pick(Frames::top_x);

@@ -35,6 +35,7 @@ MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering
     const auto told = [&](const Pose& at) {
         return to_world(slot, options.driving.enter, {at.x, at.y, at.heading + around});
     };
+    run.maneuver.moves.reserve(8);
     for (int changes = 0; changes <= options.max_changes; ++changes) {
         const bool backward = driven.backward();
         const double centre_x = driven.x();

@@ -18,7 +18,8 @@ constexpr std::array<std::array<double, 2>, 4> places = {{{0.18343464249564980, 
                                                           {0.52553240991632899, 0.31370664587788729},
                                                           {0.79666647741362674, 0.22238103445337447},
                                                           {0.96028985649753623, 0.10122853629037626}}};
-constexpr double most_turn = 0.5;  // [rad]
+constexpr double most_turn = 0.5;        // [rad]
+constexpr double same_curvature = 1e-9;  // but for rounding [1/m]
 
 double sign_of(Direction direction) { return static_cast<double>(static_cast<int>(direction)); }
 
@@ -49,6 +50,17 @@ int RollingManeuver::direction_changes() const {
     for (std::size_t i = 1; i < pieces.size(); ++i)
         if (pieces[i].direction != pieces[i - 1].direction) ++changes;
     return changes;
+}
+
+std::vector<StandingSteer> RollingManeuver::standing_steers(double curvature) const {
+    std::vector<StandingSteer> steers;
+    int stop = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (i > 0 && pieces[i].direction != pieces[i - 1].direction) ++stop;
+        if (std::abs(pieces[i].curvature - curvature) > same_curvature) steers.push_back({i, stop, curvature});
+        curvature = pieces[i].curvature_at(pieces[i].length);
+    }
+    return steers;
 }
 
 double RollingManeuver::length() const {
@@ -86,13 +98,17 @@ Trajectory rolling_trajectory(const RollingManeuver& maneuver, const MotionLimit
     if (pieces.empty()) return timed;
     // Squared speeds: the most on a piece, and where it starts; at stops it is 0. Backward as braking allows, forward as gaining.
     std::vector<double> most, at;
+    std::vector<double> turns(pieces.size(), 0.0);  // of the steering at standstill [rad]
+    for (const StandingSteer& steer : maneuver.standing_steers())
+        turns[steer.piece] = angles::atan(car.wheelbase() * pieces[steer.piece].curvature) -
+                             angles::atan(car.wheelbase() * steer.curvature);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const double steers = car.wheelbase() * std::abs(pieces[i].sharpness);
         const double speed =
             steers * limits.speed > limits.steering_rate ? limits.steering_rate / steers : limits.speed;
         check_between("speed on a piece of the maneuver", speed, slowest, limits.speed, " m/s");
         most.push_back(speed * speed);
-        const bool stops = i == 0 || pieces[i - 1].direction != pieces[i].direction;
+        const bool stops = i == 0 || pieces[i - 1].direction != pieces[i].direction || turns[i] != 0.0;
         at.push_back(stops ? 0.0 : std::min(most[i], most[i - 1]));
     }
     at.push_back(0.0);
@@ -106,6 +122,18 @@ Trajectory rolling_trajectory(const RollingManeuver& maneuver, const MotionLimit
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const RollingPiece& piece = pieces[i];
         const double sign = sign_of(piece.direction);
+        if (turns[i] != 0.0) {
+            now.pose = piece.start;
+            if (i == 0) now.direction = piece.direction;
+            now.speed = now.acceleration = now.sharpness = 0.0;
+            now.curvature = (i == 0 ? 0.0 : pieces[i - 1].curvature_at(pieces[i - 1].length));
+            now.steering_angle = angles::atan(car.wheelbase() * now.curvature);
+            now.steering_rate = turns[i] > 0.0 ? limits.steering_rate : -limits.steering_rate;
+            now.distance = before;
+            timed.points.push_back(now);
+            now.time += std::abs(turns[i]) / limits.steering_rate;
+            ++timed.standing_steers;
+        }
         const double a = limits.acceleration, d = limits.deceleration;
         // v^2 + 2 a gaining = top = w^2 + 2 d losing, and both together are at most the piece.
         const double top = std::min(most[i], (2.0 * a * d * piece.length + d * at[i] + a * at[i + 1]) / (a + d));

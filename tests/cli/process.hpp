@@ -61,12 +61,18 @@ inline const char* snug_command() {
 
 /// Starts `snug` with the arguments; standard output goes to the file `out` ("-" leaves it closed).
 inline pid_t start(const std::vector<std::string>& arguments, const std::string& out, const std::string& err) {
+    // Looking for leaks takes longer than most answers: each test has it done in its first run, and in every eighth.
+    static int runs = 0;
+    const bool leaks = runs++ % 8 == 0;
     const pid_t child = fork();
     if (child == -1) {
         std::abort();  // never to be taken for the number of a process
     }
     if (child != 0) {
         return child;
+    }
+    if (!leaks) {
+        setenv("ASAN_OPTIONS", "detect_leaks=0", 0);
     }
     std::signal(SIGINT, SIG_DFL);  // whatever the tests were started with
     const auto send = [](int stream, const std::string& file) {

@@ -15,9 +15,27 @@ TEST(Drive, AnswersInEveryFormat) {
         run(bay + few + "--format json --trajectory " + folder.file("t.csv") + " --draw " + folder.file("tracks.svg"));
     EXPECT_EQ(json.exit_code, 0) << json.err;
     const auto answer = nlohmann::json::parse(json.out);
-    for (const char* key : {"schema", "car", "slot", "start", "sensing", "bias", "actuation", "lag", "slot_error",
-                            "runs", "seed", "margin", "parked", "contacts", "planned_changes", "lower_bound",
-                            "direction_changes", "seconds", "smallest_distance"})
+    for (const char* key : {"schema",
+                            "car",
+                            "slot",
+                            "start",
+                            "sensing",
+                            "bias",
+                            "actuation",
+                            "lag",
+                            "slot_error",
+                            "runs",
+                            "seed",
+                            "margin",
+                            "parked",
+                            "contacts",
+                            "planned_changes",
+                            "lower_bound",
+                            "direction_changes",
+                            "seconds",
+                            "smallest_distance",
+                            "steer",
+                            "standing_steers"})
         EXPECT_TRUE(answer.contains(key)) << key;
     EXPECT_EQ(answer["runs"], 5);
     EXPECT_EQ(answer["parked"], 5);
@@ -43,6 +61,23 @@ TEST(Drive, TakesErrorsOfTheSlotAndALag) {
     EXPECT_EQ(answer["runs"], 5);
     EXPECT_NE(run(bay + few + "--format csv").out, run(bay + few + "--slot-error 0.03,0.02 --format csv").out);
     EXPECT_NE(run(bay + few + "--format csv").out, run(bay + few + "--lag 0 --format csv").out);
+}
+
+TEST(Drive, SteersOnlyWhileItRolls) {
+    const Folder folder;
+    const Result json = run(bay + few + "--steer moving --format json --trajectory " + folder.file("t.json") +
+                            " --draw " + folder.file("t.svg"));
+    EXPECT_EQ(json.exit_code, 0) << json.err;
+    const auto answer = nlohmann::json::parse(json.out);
+    EXPECT_EQ(answer["steer"], "moving");
+    EXPECT_EQ(answer["parked"], 5);
+    EXPECT_EQ(answer["standing_steers"]["planned"], 0);
+    EXPECT_LE(answer["standing_changes"], answer["planned_changes"]);
+    EXPECT_EQ(nlohmann::json::parse(contents(folder.file("t.json")))["standing_steers"], 0);
+    EXPECT_NE(contents(folder.file("t.svg")).find("<svg"), std::string::npos);
+    const Result text = run(bay + few + "--steer moving");
+    EXPECT_NE(text.out.find("planned never, with no more direction changes than with it"), std::string::npos)
+        << text.out;
 }
 
 TEST(Drive, WithoutAPlanIsNo) {
@@ -71,7 +106,7 @@ TEST(Drive, RefusesWhatIsImpossible) {
         R"("start": [3, 0, 0]})");
     expect_refusal(run("drive --car renault-zoe --scene " + yard + " --slot-error 0.1,0.1"),
                    {"--slot-error", "--scene"});
-    refused("--steer moving", {"--steer", "standing"});
+    refused("--steer sideways", {"--steer", "moving"});
     refused("--clearance 0.1", {"--clearance", "--margin"});
     refused("--from 0.5,-1,0 --runs 1", {"in contact with", "m deep"});
     refused("--speed 1", {"--speed", "--trajectory"});

@@ -73,12 +73,20 @@ double deepest(const Car& car, const Place& place, const Pose& start, const std:
     return worst;
 }
 
+/// In a soak ten million poses and more: 20,000 in each of the random places that have room for the margin. SNUG_FIRST=I begins with
+/// the place I and SNUG_CASES=N ends after N, so that a soak can be had in parts.
 TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
-    int driven = 0, parked = 0, escaped = 0, overlapped = 0, stuck = 0;
-    for (int i = 0; i < std::max(4, snug::test::sample(6, 60)); ++i) {
+    int driven = 0, parked = 0, escaped = 0, overlapped = 0, stuck = 0, places = 0;
+    std::size_t most_looked = 0;
+    double slowest = 0.0, sum = 0.0;
+    std::string slowest_at, most_at;
+    const std::uint64_t first = snug::test::number("SNUG_FIRST", 0);
+    const std::uint64_t last =
+        first + snug::test::number("SNUG_CASES", std::uint64_t(std::max(4, snug::test::sample(6, 700))));
+    for (std::uint64_t i = first; i < last; ++i) {
         SCOPED_TRACE(i);
-        const Case one = random_case(static_cast<std::uint64_t>(i));
-        Random random(static_cast<std::uint64_t>(i) + 77);
+        const Case one = random_case(i);
+        Random random(i + 77);
         AssistantOptions options;
         options.margin = random.between(0.0, 0.1);
         options.heading = one.start.heading;
@@ -88,6 +96,8 @@ TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
         } catch (const snug::Error&) {
             continue;  // too small for the margin, or too large for a map: told in a sentence
         }
+        ++places;
+        snug::AssistantMemory memory(*assistant);
         const auto& region = one.place.region();
         double x_min = region[0].x, x_max = x_min, y_min = region[0].y, y_max = y_min;
         for (const Point& p : region) {
@@ -95,40 +105,62 @@ TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
             y_min = std::min(y_min, p.y), y_max = std::max(y_max, p.y);
         }
         for (int k = 0; k < std::max(100, snug::test::sample(300, 20000)); ++k) {
-            const Pose pose = {random.between(x_min - 1.0, x_max + 1.0), random.between(y_min - 1.0, y_max + 1.0),
-                               one.start.heading + random.between(-3.5, 3.5)};
-            const Instruction told = assistant->next(
-                pose, random.chance(0.5)
-                          ? std::nullopt
-                          : std::optional(random.chance(0.5) ? Direction::forward : Direction::backward));
-            const std::string what = one.described + "\nat " + std::to_string(pose.x) + ", " + std::to_string(pose.y) +
-                                     ", " + std::to_string(pose.heading);
+            // Any pose at all, or one of a car that is on its way.
+            const double beyond = random.chance(0.5) ? 1.0 : 0.0, turned = beyond > 0.0 ? 3.5 : 1.4;
+            const Pose pose = {random.between(x_min - beyond, x_max + beyond),
+                               random.between(y_min - beyond, y_max + beyond),
+                               one.start.heading + random.between(-turned, turned)};
+            const std::optional<Direction> driven_last =
+                random.chance(0.5) ? std::nullopt
+                                   : std::optional(random.chance(0.5) ? Direction::forward : Direction::backward);
+            const auto ask = [&]() -> const Instruction& { return assistant->next(pose, driven_last, memory); };
+            const auto timed = [&] {
+                const auto begin = std::chrono::steady_clock::now();
+                (void)ask();
+                return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            };
+            double took = timed();
+            // Slow by chance, for the machine had other work?
+            for (int again = 0; again < 9 && took > slowest; ++again) took = std::min(took, timed());
+            const Instruction& told = ask();
+            sum += took;
+            const auto where = [&] {
+                return "\nplace " + std::to_string(i) + " at " + std::to_string(pose.x) + ", " +
+                       std::to_string(pose.y) + ", " + std::to_string(pose.heading);
+            };
+            if (took > slowest) slowest = took, slowest_at = where();
+            if (memory.poses_looked_at() > most_looked) most_looked = memory.poses_looked_at(), most_at = where();
             switch (told.what) {
                 case Instruction::stuck: ++stuck; continue;
                 case Instruction::parked:
                     ++parked;
-                    EXPECT_LE(short_of_parked(one.car, one.place, pose), 1e-7) << what;
+                    EXPECT_LE(short_of_parked(one.car, one.place, pose), 1e-7) << where();
                     continue;
                 case Instruction::escape: ++escaped; break;
                 case Instruction::move: ++driven; break;
                 case Instruction::overlap: {
                     ++overlapped;
                     const double deep = depth_in_place(one.car, one.place, pose);
-                    EXPECT_GT(deep, 0.0) << what;
-                    EXPECT_LE(deepest(one.car, one.place, pose, told.moves), deep + 1e-6) << what;
-                    EXPECT_LT(depth_in_place(one.car, one.place, told.moves.back().end), deep) << what;
+                    EXPECT_GT(deep, 0.0) << where();
+                    EXPECT_LE(deepest(one.car, one.place, pose, told.moves), deep + 1e-6) << where();
+                    EXPECT_LT(depth_in_place(one.car, one.place, told.moves.back().end), deep) << where();
                     continue;
                 }
             }
-            ASSERT_FALSE(told.moves.empty()) << what;
-            EXPECT_EQ(told.moves.front().start, pose) << what;
+            ASSERT_FALSE(told.moves.empty()) << where();
+            EXPECT_EQ(told.moves.front().start, pose) << where();
             for (const Move& move : told.moves) {
-                EXPECT_EQ(move.direction, told.moves.front().direction) << what;
-                EXPECT_LE(std::abs(move.steering_angle), one.car.max_steer() * (1.0 + 1e-12)) << what;
+                EXPECT_EQ(move.direction, told.moves.front().direction) << where();
+                EXPECT_LE(std::abs(move.steering_angle), one.car.max_steer() * (1.0 + 1e-12)) << where();
             }
-            EXPECT_LE(deepest(one.car, one.place, pose, told.moves), 1e-7) << what;
+            EXPECT_LE(deepest(one.car, one.place, pose, told.moves), 1e-7) << where();
         }
     }
+    std::cout << driven + parked + escaped + overlapped + stuck << " poses in " << places << " places: " << driven
+              << " drive, " << parked << " parked, " << escaped << " escape, " << overlapped << " overlap, " << stuck
+              << " stuck; next() took " << 1e6 * sum / (driven + parked + escaped + overlapped + stuck)
+              << " us on average, at most " << 1e6 * slowest << " us at" << slowest_at << "\nand looked at most at "
+              << most_looked << " poses at" << most_at << "\n";
     EXPECT_GT(driven, 0);
     EXPECT_GT(overlapped, 0);
     EXPECT_GT(stuck, 0);
@@ -146,7 +178,7 @@ TEST(Assistant, AllocatesNothingInMemoryMadeBefore) {
         const Assistant assistant(zoe(), street, options);
         snug::AssistantMemory memory(assistant);
         Random random(3);
-        std::size_t allocated = 0;
+        std::size_t allocated = 0, most_looked = 0;
         double slowest = 0.0, sum = 0.0;
         int answers[5] = {};
         const int poses = snug::test::sample(2000, 100000);
@@ -155,11 +187,17 @@ TEST(Assistant, AllocatesNothingInMemoryMadeBefore) {
             const std::optional<Direction> driven =
                 random.chance(0.3) ? std::nullopt
                                    : std::optional(random.chance(0.5) ? Direction::forward : Direction::backward);
-            const auto begin = std::chrono::steady_clock::now();
+            const auto timed = [&] {
+                const auto begin = std::chrono::steady_clock::now();
+                (void)assistant.next(pose, driven, memory);
+                return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            };
             const std::size_t before = snug::test::allocations();
             const Instruction& told = assistant.next(pose, driven, memory);
             allocated += snug::test::allocations() - before;
-            const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            double took = timed();
+            for (int again = 0; again < 9 && took > slowest; ++again) took = std::min(took, timed());
+            most_looked = std::max(most_looked, memory.poses_looked_at());
             slowest = std::max(slowest, took);
             sum += took;
             ++answers[told.what];
@@ -170,7 +208,8 @@ TEST(Assistant, AllocatesNothingInMemoryMadeBefore) {
         EXPECT_EQ(allocated, 0U);
         EXPECT_GT(answers[Instruction::move], 0);
         EXPECT_GT(answers[Instruction::overlap], 0);
-        std::cout << "next(): " << 1e3 * sum / poses << " ms on average, at most " << 1e3 * slowest << " ms\n";
+        std::cout << "next(): " << 1e3 * sum / poses << " ms on average, at most " << 1e3 * slowest
+                  << " ms; it looked at " << most_looked << " poses at most\n";
     }
 }
 
@@ -251,49 +290,106 @@ TEST(Drive, WithoutErrorsIsThePlan) {
 }
 
 TEST(Drive, RunsAreWhatTheySay) {
-    const Street street = usual_street();
-    const Place place = street_place(street);
-    DriveOptions options;
-    options.margin = 0.03;
-    options.runs = snug::test::sample(20, 1000);
-    const DriveAnswer answer = drive_runs(zoe(), place, usual_start, options);
-    ASSERT_TRUE(answer.plannable);
-    int parked = 0;
-    for (std::size_t i = 0; i < answer.runs.size(); ++i) {
-        SCOPED_TRACE(i);
-        const DriveRun& run = answer.runs[i];
-        parked += run.parked ? 1 : 0;
-        ASSERT_FALSE(run.track.empty());
-        double deepest_overlap = -1e300, nearest = 1e300;
-        for (const Pose& pose : run.track) {
-            deepest_overlap = std::max(deepest_overlap, depth_in_place(zoe(), place, pose));
-            nearest = std::min(nearest, distance_in_place(zoe(), place, pose));
+    for (const snug::Steer steer : {snug::Steer::standing, snug::Steer::moving}) {
+        SCOPED_TRACE(steer == snug::Steer::moving ? "moving" : "standing");
+        const Street street = usual_street();
+        const Place place = street_place(street);
+        DriveOptions options;
+        options.margin = 0.03;
+        options.steer = steer;
+        options.runs = snug::test::sample(20, 1000);
+        const DriveAnswer answer = drive_runs(zoe(), place, usual_start, options);
+        ASSERT_TRUE(answer.plannable);
+        int parked = 0;
+        for (std::size_t i = 0; i < answer.runs.size(); ++i) {
+            SCOPED_TRACE(i);
+            const DriveRun& run = answer.runs[i];
+            parked += run.parked ? 1 : 0;
+            ASSERT_FALSE(run.track.empty());
+            double deepest_overlap = -1e300, nearest = 1e300;
+            for (const Pose& pose : run.track) {
+                deepest_overlap = std::max(deepest_overlap, depth_in_place(zoe(), place, pose));
+                nearest = std::min(nearest, distance_in_place(zoe(), place, pose));
+            }
+            EXPECT_EQ(run.contact, deepest_overlap > 1e-12) << deepest_overlap;
+            if (run.contact) {
+                EXPECT_NEAR(run.smallest_distance, -deepest_overlap, 1e-9);
+            } else {
+                EXPECT_NEAR(run.smallest_distance, nearest, 1e-9);
+            }
+            if (run.parked) {
+                EXPECT_LE(short_of_parked(zoe(), place, run.track.back()), 1e-9);
+                EXPECT_FALSE(run.contact);
+            }
+            // Which way it rolled, from the track alone.
+            int changes = 0;
+            int last = 0;
+            for (std::size_t k = 1; k < run.track.size(); ++k) {
+                const Pose &a = run.track[k - 1], &b = run.track[k];
+                const double along = (b.x - a.x) * std::cos(a.heading) + (b.y - a.y) * std::sin(a.heading);
+                if (std::abs(along) < 0.048) continue;  // coming to rest, it slips a little either way
+                const int way = along > 0.0 ? 1 : -1;
+                changes += last != 0 && way != last ? 1 : 0;
+                last = way;
+            }
+            EXPECT_LE(changes, run.direction_changes);
         }
-        EXPECT_EQ(run.contact, deepest_overlap > 1e-12) << deepest_overlap;
-        if (run.contact) {
-            EXPECT_NEAR(run.smallest_distance, -deepest_overlap, 1e-9);
-        } else {
-            EXPECT_NEAR(run.smallest_distance, nearest, 1e-9);
-        }
-        if (run.parked) {
-            EXPECT_LE(short_of_parked(zoe(), place, run.track.back()), 1e-9);
-            EXPECT_FALSE(run.contact);
-        }
-        // Which way it rolled, from the track alone.
-        int changes = 0;
-        int last = 0;
+        EXPECT_EQ(parked, answer.parked());
+        EXPECT_GT(parked, options.runs * 9 / 10);
+    }
+}
+
+/// Curvatures from the track alone: where the steering never turned at standstill they do not jump, beyond what the errors of a new move
+/// and corrections make of them.
+TEST(Drive, SteersOnlyWhileItRollsWhereItSaysSo) {
+    Street street = usual_street();
+    street.length = 5.0;
+    street.width = 2.5;
+    street.angle = 1.5707963267948966;
+    street.road = 6.0;
+    DriveOptions options = without_errors();
+    options.steer = snug::Steer::moving;
+    const DriveAnswer answer = drive_runs(zoe(), street, standard_start(street, zoe()), options);
+    ASSERT_TRUE(answer.rolling);
+    EXPECT_TRUE(answer.rolling->standing_steers().empty());
+    EXPECT_EQ(answer.planned_changes, answer.rolling->direction_changes());
+    EXPECT_GE(answer.planned_changes, *answer.standing_changes);
+    EXPECT_EQ(answer.parked(), options.runs);
+    for (const DriveRun& run : answer.runs) {
+        EXPECT_EQ(run.standing_steers, 0);
+        // The angle of the wheels in the middle of a step is no farther from that of the next than they turn in both at the least
+        // speed that is planned with, 0.03 m/s.
+        double last = 0.0, before = 0.0;
         for (std::size_t k = 1; k < run.track.size(); ++k) {
             const Pose &a = run.track[k - 1], &b = run.track[k];
-            const double along = (b.x - a.x) * std::cos(a.heading) + (b.y - a.y) * std::sin(a.heading);
-            if (std::abs(along) < 0.048) continue;  // coming to rest, it slips a little either way
-            const int way = along > 0.0 ? 1 : -1;
-            changes += last != 0 && way != last ? 1 : 0;
-            last = way;
+            const double middle = (a.heading + b.heading) / 2.0;
+            const double along = (b.x - a.x) * std::cos(middle) + (b.y - a.y) * std::sin(middle);
+            if (std::abs(along) < 1e-6) continue;
+            const double angle = std::atan(zoe().wheelbase() * (b.heading - a.heading) / along);
+            EXPECT_LE(std::abs(angle - last),
+                      options.limits.steering_rate * (std::abs(along) + before) / 2.0 / 0.03 + 1e-6)
+                << k;
+            last = angle;
+            before = std::abs(along);
         }
-        EXPECT_LE(changes, run.direction_changes);
     }
-    EXPECT_EQ(parked, answer.parked());
-    EXPECT_GT(parked, options.runs * 9 / 10);
+    DriveOptions standing = options;
+    standing.steer = snug::Steer::standing;
+    EXPECT_GT(drive_runs(zoe(), street, standard_start(street, zoe()), standing).runs[0].standing_steers, 0);
+}
+
+/// The margin found is the least that does, or better: every smaller one of the list fails, and runs tried at first are those driven in
+/// the end.
+TEST(Drive, MarginsFoundAreThoseOfAllRuns) {
+    DriveOptions options;
+    options.runs = 120;
+    options.rate = 0.99;
+    const Street street = usual_street();
+    const DriveAnswer found = drive_runs(zoe(), street, usual_start, options);
+    ASSERT_EQ(found.runs.size(), 120U);
+    EXPECT_GE(found.parked(), 119);
+    options.margin = found.margin;
+    EXPECT_EQ(found.runs, drive_runs(zoe(), street, usual_start, options).runs);
 }
 
 TEST(Drive, IsTheSameForOneSeedOnAnyNumberOfCores) {

@@ -147,7 +147,7 @@ int pieces_of_a_move(const snug::Maneuver& maneuver) {
 }
 
 TEST(Fewest, BoundsOfRandomCasesAgreeWithTheirManeuversAndWithFullSteering) {
-    const int count = snug::test::sample(30, 2000);
+    const int count = snug::test::sample(20, 2000);
     int proved = 0;
     for (int i = 0; i < count; ++i) {
         const Case asked = oracle::random_case(seed, static_cast<std::uint64_t>(i));

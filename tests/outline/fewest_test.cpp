@@ -30,7 +30,7 @@ snug::Answer fewest_of(const Case& asked, int max_changes, double resolution) {
 }
 
 TEST(OutlineFewest, BoundsAgreeWithTheirManeuversAndWithFullSteering) {
-    const int count = snug::test::sample(16, 2000);
+    const int count = snug::test::sample(10, 2000);
     int proved = 0;
     for (int i = 0; i < count; ++i) {
         const Case asked = random_outline_case(71, std::uint64_t(i));
@@ -74,7 +74,7 @@ Case coarse_case(std::uint64_t index) {
 
 TEST(OutlineFewest, APlainSearchNeverBeatsThemAndOftenComesWithinOneChange) {
     constexpr int most_changes = 5;
-    const int count = snug::test::sample(40, 1000);
+    const int count = snug::test::sample(20, 1000);
     int easy = 0, close = 0;
     for (int i = 0; i < count; ++i) {
         const Case asked = coarse_case(std::uint64_t(i));

@@ -21,6 +21,7 @@ using snug::StreetSize;
 
 TEST(MinStreet, ParksInTheSizeFoundAndInNoneBelowTheBound) {
     const int count = snug::test::sample(4, 200);
+    const double resolution = snug::test::is_set("SNUG_SMALL") ? 0.08 : 0.04;
     int found_sizes = 0, searched = 0;
     for (int i = 0; i < count; ++i) {
         Random random(static_cast<std::uint64_t>(700000 + i));
@@ -33,7 +34,7 @@ TEST(MinStreet, ParksInTheSizeFoundAndInNoneBelowTheBound) {
                                                                     : StreetSize::length;
         options.max_changes = random.whole(0, 2);
         options.precision = 0.05;
-        options.resolution = 0.04;
+        options.resolution = resolution;
         SCOPED_TRACE("case " + std::to_string(i) + ": " + described(car, street, {}) + " sought " +
                      std::string(to_string(options.sought)) + " changes " + std::to_string(options.max_changes));
         const MinStreet found = min_street(car, street, options);
@@ -45,7 +46,7 @@ TEST(MinStreet, ParksInTheSizeFoundAndInNoneBelowTheBound) {
             const Pose start = standard_start(enough, car);
             snug::ParkOptions asked;
             asked.max_changes = options.max_changes;
-            asked.resolution = 0.04;
+            asked.resolution = resolution;
             asked.roomiest = false;
             const auto answer = park(car, street_place(enough), start, asked);
             EXPECT_TRUE(answer.maneuver);

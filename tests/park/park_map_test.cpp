@@ -125,6 +125,46 @@ TEST(ParkMap, ManeuversParkWithoutTouchingAnythingAndWithAsManyChangesAsSaid) {
     EXPECT_GT(found, 5 * count);
 }
 
+TEST(ParkMap, PackedAndUnpackedItSaysTheSame) {
+    const int count = snug::test::sample(12, 200);
+    for (int i = 0; i < count; ++i) {
+        const Case asked = random_case(static_cast<std::uint64_t>(i) + 2400000);
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
+        Random random(static_cast<std::uint64_t>(i) + 2500000);
+        const snug::ParkMapOptions options = with_heading(asked.start.heading, 0.0);
+        const ParkMap map(asked.car, asked.place, options);
+        std::vector<std::byte> bytes = map.packed();
+        const ParkMap again = ParkMap::unpacked(asked.car, asked.place, options, bytes);
+        EXPECT_EQ(again.bytes(), map.bytes());
+        EXPECT_EQ(again.fingerprint(), map.fingerprint());
+        for (int n = 0; n < 200; ++n) {
+            const Pose pose = random_pose(random, asked);
+            EXPECT_EQ(again.at(pose), map.at(pose)) << spelled(pose);
+            const std::optional<snug::Maneuver> one = map.maneuver(pose), two = again.maneuver(pose);
+            ASSERT_EQ(one.has_value(), two.has_value()) << spelled(pose);
+            if (one) {
+                EXPECT_EQ(one->moves, two->moves) << spelled(pose);
+            }
+        }
+        // What is damaged, cut, longer, or asked otherwise is refused.
+        const auto refused = [&](const snug::ParkMapOptions& how, const std::vector<std::byte>& what) {
+            EXPECT_THROW(static_cast<void>(ParkMap::unpacked(asked.car, asked.place, how, what)), snug::Error);
+        };
+        snug::ParkMapOptions other = options;
+        other.max_changes = 7;
+        refused(other, bytes);
+        refused(options, {});
+        const auto at = static_cast<std::size_t>(random.between(0.0, static_cast<double>(bytes.size() - 1)));
+        refused(options, {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at)});
+        bytes[at] ^= std::byte{16};
+        refused(options, bytes);
+        bytes[at] ^= std::byte{16};
+        bytes.push_back(std::byte{0});
+        refused(options, bytes);
+        if (HasFailure()) return;
+    }
+}
+
 /// From the heading the map is made for both claim the same: headings within 80 degrees of the same middle.
 TEST(ParkMap, BoundsHoldForTheAnswersOfPark) {
     const int count = snug::test::sample(16, 600);

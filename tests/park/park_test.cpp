@@ -23,7 +23,7 @@ TEST(Park, EveryManeuverParksWithoutTouchingAnything) {
         const Case asked = random_case(static_cast<std::uint64_t>(i));
         SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
         snug::ParkOptions options;
-        options.resolution = 0.04;
+        options.resolution = snug::test::is_set("SNUG_SMALL") ? 0.08 : 0.04;
         options.max_changes = 12;
         if (depth_in_place(asked.car, asked.place, asked.start) > -1e-6 ||
             outside_region(asked.place, asked.start) > 0) {

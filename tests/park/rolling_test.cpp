@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "park/judge.hpp"
 #include "park/random_places.hpp"
@@ -19,23 +22,30 @@ using namespace park_test;
 
 constexpr double steering_rate = 0.5;
 
+enum Kind { parallel, slanted, perpendicular };
+
+struct RoomyCase : Case {
+    Kind kind;
+};
+
 /// A street or a bay at least 0.6 m longer than the car, and its usual start.
-Case roomy_case(std::uint64_t index) {
+RoomyCase roomy_case(std::uint64_t index) {
     Random random(index + 500000);
     const Car car = random_car(random);
     Street street = random_street(random, car);
     street.length = car.length() + random.between(0.6, 1.5);
     const Pose start = standard_start(street, car);
-    return {car, street_place(street), start, described(car, street, start)};
+    const Kind kind = street.angle == 0.0 ? parallel : street.angle < 1.57 ? slanted : perpendicular;
+    return {{car, street_place(street), start, described(car, street, start)}, kind};
 }
 
 /// What is wrong with a rolling maneuver; empty when nothing is. Curvatures are summed up from the sharpness alone, poses from
 /// the curvatures in steps of 1 mm.
-std::string verdict(const Case& asked, const snug::RollingManeuver& way, double creep) {
+std::string verdict(const Case& asked, const snug::RollingManeuver& way, double creep, double curvature = 0.0,
+                    bool parks = true) {
     std::ostringstream wrong;
     wrong.precision(17);
     Pose at = asked.start;
-    double curvature = 0.0;
     const double fullest = std::tan(asked.car.max_steer()) / asked.car.wheelbase();
     for (std::size_t i = 0; i < way.pieces.size(); ++i) {
         const snug::RollingPiece& piece = way.pieces[i];
@@ -61,35 +71,112 @@ std::string verdict(const Case& asked, const snug::RollingManeuver& way, double 
             wrong << "piece " << i << " does not end where it says; ";
         at = piece.end;
     }
+    if (!parks) return wrong.str();
     if (const double by = short_of_parked(asked.car, asked.place, at); by > 1e-8) wrong << "not parked, by " << by;
     return wrong.str();
 }
 
+/// What is wrong with a way that may turn its steering at standstill: it is driven move by move.
+std::string standing_verdict(const Case& asked, const snug::RollingManeuver& way, double creep) {
+    std::string wrong;
+    Case from = asked;
+    std::vector<std::size_t> starts = {0};
+    for (const snug::StandingSteer& steer : way.standing_steers())
+        if (steer.piece > 0) starts.push_back(steer.piece);
+    starts.push_back(way.pieces.size());
+    for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
+        const snug::RollingManeuver part = {
+            way.car,
+            {way.pieces.begin() + std::ptrdiff_t(starts[i]), way.pieces.begin() + std::ptrdiff_t(starts[i + 1])}};
+        wrong += verdict(from, part, creep, part.pieces[0].curvature, i + 2 == starts.size());
+        from.start = part.pieces.back().end;
+    }
+    return wrong;
+}
+
+/// In a soak 500 places. SNUG_FIRST=I begins with the place I and SNUG_CASES=N ends after N. The table is that of docs/driving.md.
 TEST(Rolling, ParksWithoutSteeringAtStandstillAndTouchesNothing) {
-    const int count = snug::test::sample(6, 500, 1);
-    int posed = 0, same = 0, more = 0, none = 0;
-    for (int i = 0; i < count; ++i) {
-        const Case asked = roomy_case(static_cast<std::uint64_t>(i));
+    const std::uint64_t first = snug::test::number("SNUG_FIRST", 0);
+    const std::uint64_t last = first + snug::test::number("SNUG_CASES", std::uint64_t(snug::test::sample(6, 500, 1)));
+    struct Row {
+        int posed = 0, none = 0, stands = 0;
+        std::array<int, 4> more = {};  // direction changes than with steering at standstill; 3: and more
+        double changes = 0.0, standing_changes = 0.0;
+    };
+    std::array<Row, 3> rows;
+    int most_work = 0;
+    for (std::uint64_t i = first; i < last; ++i) {
+        const RoomyCase asked = roomy_case(i);
         SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
         snug::RollingOptions options;
         options.steering_rate = steering_rate;
         options.most_more = snug::test::sample(1, 6);
+        options.most_work = snug::test::sample(300'000, options.most_work);
         const snug::RollingAnswer answer = park_rolling(asked.car, asked.place, asked.start, options);
         if (!answer.standing_changes) continue;
-        ++posed;
-        none += !answer.maneuver;
-        if (!answer.maneuver) continue;
+        Row& row = rows[asked.kind];
+        ++row.posed;
+        most_work = std::max(most_work, answer.work);
+        if (!answer.maneuver) {
+            ++row.none;
+            ASSERT_TRUE(answer.standing);
+            EXPECT_FALSE(answer.standing->standing_steers().empty());
+            EXPECT_EQ(standing_verdict(asked, *answer.standing, answer.creep), "");
+            continue;
+        }
+        EXPECT_FALSE(answer.standing);
+        EXPECT_TRUE(answer.maneuver->standing_steers().empty());
         const int changes = answer.maneuver->direction_changes();
         EXPECT_EQ(verdict(asked, *answer.maneuver, answer.creep), "");
         EXPECT_GE(changes, answer.lower_bound);
         EXPECT_LE(changes, *answer.standing_changes + options.most_more);
-        same += changes <= *answer.standing_changes;
-        more += changes > *answer.standing_changes;
+        ++row.more[std::size_t(std::clamp(changes - *answer.standing_changes, 0, 3))];
+        row.changes += changes;
+        row.standing_changes += *answer.standing_changes;
     }
-    std::printf(
-        "%d places: %d with as many direction changes as with standing steering, %d with more, %d without a way\n",
-        posed, same, more, none);
-    EXPECT_GT(2 * (same + more), posed);
+    // Beside the room for one count, what a last piece looks at when the work runs out.
+    EXPECT_LE(most_work, 1'400'000);
+    int found = 0, posed = 0;
+    std::puts("places               with a way  as many  1 more  2 more  more  none found  changes: moving, standing");
+    for (const Kind kind : {parallel, slanted, perpendicular}) {
+        const Row& row = rows[kind];
+        const int ways = row.posed - row.none;
+        found += ways;
+        posed += row.posed;
+        std::printf("%-20s %10d %8d %7d %7d %5d %11d",
+                    kind == parallel  ? "parallel"
+                    : kind == slanted ? "slanted bays"
+                                      : "perpendicular bays",
+                    ways, row.more[0], row.more[1], row.more[2], row.more[3], row.none);
+        if (ways > 0) std::printf("  %16.2f, %8.2f", row.changes / ways, row.standing_changes / ways);
+        std::puts("");
+    }
+    EXPECT_GT(2 * found, posed);
+}
+
+/// A way from wheels that are turned already, on a map made before, begins with them.
+TEST(Rolling, BeginsWithTheWheelsAsTheyAre) {
+    int found = 0;
+    for (std::uint64_t i = 3; i < 3 + std::uint64_t(snug::test::sample(6, 60, 3)); ++i) {
+        const RoomyCase asked = roomy_case(i);
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
+        snug::ParkMapOptions how;
+        how.heading = asked.start.heading;
+        how.clearance = 0.01;
+        const snug::ParkMap map(asked.car, asked.place, how);
+        snug::RollingOptions options;
+        options.most_work = 50'000;
+        for (const double part : {-0.7, 0.3, 1.0}) {
+            const double angle = part * asked.car.max_steer();
+            const snug::RollingAnswer answer = park_rolling(map, asked.start, angle, options);
+            if (!answer.maneuver || answer.maneuver->pieces.empty()) continue;
+            ++found;
+            const double bend = std::tan(angle) / asked.car.wheelbase();
+            EXPECT_TRUE(answer.maneuver->standing_steers(bend).empty());
+            EXPECT_EQ(verdict(asked, *answer.maneuver, answer.creep, bend), "");
+        }
+    }
+    EXPECT_GT(found, 0);
 }
 
 /// The commands of a trajectory in steps of a millisecond: it follows the way to 1 mm, and the steering keeps its rate.

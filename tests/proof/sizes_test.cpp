@@ -67,7 +67,7 @@ std::string attack(MinSlotCase asked, std::uint64_t index, Tried& tried) {
 
 TEST(ProvedSizes, NothingSmallerParks) {
     Tried tried;
-    const int cases = snug::test::sample(8, 1000);
+    const int cases = snug::test::sample(5, 1000);
     for (int i = 0; i < cases; ++i) {
         const std::uint64_t index = std::uint64_t(i);
         const MinSlotCase asked =

@@ -54,7 +54,7 @@ TEST(Fuzz, WildQuestionsAreAnsweredAndMakeSense) {
     int parkable = 0, given_up = 0, refused = 0;
     constexpr int patience = 10;  // each of a million moves
     int most_reports = 0;
-    const int questions = snug::test::sample(200, 100000);
+    const int questions = snug::test::sample(200, 100000, 10);
     for (int i = 0; i < questions; ++i) {
         const Case asked = wild_case(std::uint64_t(i));
         Random random(std::uint64_t(i) + 5);

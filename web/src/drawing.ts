@@ -42,7 +42,6 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     const view: View = { scale: 50, x0: 0, y0: 0, fx: 1, fy: 1 };
     const drawn = pen(view);
     const { at, polygon, path, box, stand } = drawn;
-    let drag: { what: Drag; grab: number } | null = null;
     let size = { width: 0, height: 0 };
     let shown: { pose: Pose; steer: number } | null = null;
 
@@ -52,6 +51,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     const neighbours = layer("neighbours");
     const trail = layer("trail");
     const vehicle = layer("vehicle");
+    const way = layer("way");
     const dimensions = layer("dimensions");
     const grips = layer("grips");
 
@@ -166,8 +166,9 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
 
     const drawTrail = (s: Scene) => {
         const parts: SVGElement[] = [];
+        const lines: SVGElement[] = [];
         if (s.track && s.track.legs.length > 0) {
-            const poses = s.track.legs.map((leg) => samples(s.car, leg, drag ? 0.04 : 0.015));
+            const poses = s.track.legs.map((leg) => samples(s.car, leg, drag() ? 0.04 : 0.015));
             if (s.swept) {
                 const frames = poses.flat().map((pose) => polygon(carCorners(s.car, pose)));
                 parts.push(svg("path", { class: "swept", d: frames.join("") }));
@@ -178,12 +179,13 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
             if (s.parked) parts.push(svg("path", { class: "goal-frame", d: polygon(carCorners(s.car, s.track.legs.at(-1)!.end)) }));
             for (const backward of [true, false]) {
                 const d = poses.filter((_, i) => s.track!.legs[i]!.backward === backward).map(path).join("");
-                if (d) parts.push(svg("path", { class: backward ? "path backward" : "path forward", d }));
+                if (d) lines.push(svg("path", { class: backward ? "path backward" : "path forward", d }));
             }
         }
         const [x, y] = at(fanCentre(s));
         parts.push(svg("circle", { class: "corner", cx: round(x), cy: round(y), r: 3.5 }));
         trail.replaceChildren(...parts);
+        way.replaceChildren(...lines);
     };
 
     const drawDimensions = (s: Scene) => {
@@ -221,8 +223,9 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     const render = (next: Scene) => {
         scene = next;
         if (size.width === 0) return;
-        if (!drag) fit(next);
-        else if (drag.what === "front") {
+        const dragged = drag()?.what;
+        if (!dragged) fit(next);
+        else if (dragged === "front") {
             // The corner the scene hangs on is the one being dragged: keep the rear neighbour where it is.
             view.x0 = dragAnchor + view.fx * next.length * view.scale;
         }
@@ -246,17 +249,16 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
     const snap = (value: number) => Math.round(value * 200) / 200; // 5 mm
 
     const grab = (what: Drag, p: Point) => {
-        if (!scene) return false;
+        if (!scene) return null;
         dragAnchor = view.x0 - view.fx * scene.length * view.scale;
         const offset = { rear: p.x + scene.length, front: p.x, curb: p.y + scene.width, heading: 0 }[what];
-        drag = { what, grab: offset };
-        return true;
+        return { what, offset };
     };
-    const move = (p: Point) => {
-        if (!drag || !scene) return;
-        if (drag.what === "rear") handles.length(snap(drag.grab - p.x));
-        else if (drag.what === "front") handles.length(snap(scene.length + p.x - drag.grab));
-        else if (drag.what === "curb") handles.width(snap(drag.grab - p.y));
+    const move = ({ what, offset }: NonNullable<ReturnType<typeof grab>>, p: Point) => {
+        if (!scene) return;
+        if (what === "rear") handles.length(snap(offset - p.x));
+        else if (what === "front") handles.length(snap(scene.length + p.x - offset));
+        else if (what === "curb") handles.width(snap(offset - p.y));
         else {
             const c = fanCentre(scene);
             const heading = Math.atan2(p.y, (scene.forward ? -1 : 1) * (p.x - c.x));
@@ -275,11 +277,7 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         else handles.length(tidy(scene.length + step / 100));
         return true;
     };
-    const release = () => {
-        drag = null;
-        handles.released();
-    };
-    createHandles(root, drawn.ground, gripOf, { grab, move, release, key });
+    const drag = createHandles(root, drawn.ground, gripOf, { grab, move, released: () => handles.released(), key });
 
     watchSize(root, (now) => {
         size = now;
@@ -288,5 +286,5 @@ export function createDrawing(root: SVGSVGElement, handles: Handles) {
         if (shown) showCar(shown.pose, shown.steer);
     });
 
-    return { render, showCar, busy: () => drag !== null };
+    return { render, showCar, busy: () => drag() !== null };
 }

@@ -70,7 +70,9 @@ export function createFields(inputs: () => Inputs, change: (next: Inputs) => voi
             placeholder: empty,
             "aria-describedby": error.id,
         });
-        byId(parent).append(html("div", { class: "number" }, html("label", { for: field }, title), input, error));
+        const place = html("div", { class: "number" }, html("label", { for: field }, title), input, error);
+        if (field === "heading") place.dataset.for = "entry";
+        byId(parent).append(place);
         input.addEventListener("input", () => typed(field, input.value));
         input.addEventListener("blur", () => {
             if (input.getAttribute("aria-invalid") !== "true") fill(field);

@@ -16,18 +16,23 @@ export const knob = (what: string, label: string, sign: string) =>
         svg("path", { class: "arrows", d: sign }),
     );
 
-interface Listener<What extends string> {
-    /** At a point of the ground; false where it cannot be grabbed now. */
-    grab(what: What, at: Point): boolean;
-    move(at: Point): void;
-    release(): void;
+interface Listener<What extends string, Held> {
+    /** At a point of the ground: what is known of it while it is held; null where it cannot be grabbed now. */
+    grab(what: What, at: Point): Held | null;
+    move(held: Held, at: Point): void;
+    released(): void;
     /** False where that key means nothing. */
     key(what: What, event: KeyboardEvent): boolean;
 }
 
-/** `gripOf`: what takes the focus. Whatever else moves with a handle names it as its data-grip-for. */
-export function createHandles<What extends string>(root: SVGSVGElement, ground: Pen["ground"], gripOf: Record<What, SVGElement>, listener: Listener<What>) {
-    let dragging = false;
+/** Returns what is held now. `gripOf`: what takes the focus. Whatever else moves with a handle names it as its data-grip-for. */
+export function createHandles<What extends string, Held>(
+    root: SVGSVGElement,
+    ground: Pen["ground"],
+    gripOf: Record<What, SVGElement>,
+    listener: Listener<What, Held>,
+): () => Held | null {
+    let held: Held | null = null;
     const pointer = (event: PointerEvent): Point => {
         const frame = root.getBoundingClientRect();
         return ground(event.clientX - frame.left, event.clientY - frame.top);
@@ -39,25 +44,27 @@ export function createHandles<What extends string>(root: SVGSVGElement, ground: 
 
     root.addEventListener("pointerdown", (event) => {
         const grabbed = what(event.target);
-        if (!grabbed || event.button !== 0 || !listener.grab(grabbed, pointer(event))) return;
+        if (!grabbed || event.button !== 0) return;
+        held = listener.grab(grabbed, pointer(event));
+        if (held === null) return;
         event.preventDefault();
-        dragging = true;
         root.setPointerCapture(event.pointerId);
         root.classList.add("dragging");
         gripOf[grabbed].focus({ preventScroll: true });
     });
-    root.addEventListener("pointermove", (event) => dragging && listener.move(pointer(event)));
+    root.addEventListener("pointermove", (event) => held !== null && listener.move(held, pointer(event)));
     for (const end of ["pointerup", "pointercancel"])
         root.addEventListener(end, () => {
-            if (!dragging) return;
-            dragging = false;
+            if (held === null) return;
+            held = null;
             root.classList.remove("dragging");
-            listener.release();
+            listener.released();
         });
     root.addEventListener("keydown", (event) => {
-        const held = what(event.target);
-        if (held && listener.key(held, event)) event.preventDefault();
+        const focused = what(event.target);
+        if (focused && listener.key(focused, event)) event.preventDefault();
     });
+    return () => held;
 }
 
 /** The picture's size in pixels, now and whenever it changes; a hidden one has none. */

@@ -101,7 +101,7 @@ function run(snug: Snug, questions: Asker) {
         road: (by) => inputs.road !== null && change({ ...inputs, road: within("road", inputs.road + by) }),
         grabbed: () => player.pause(),
         released: () => {
-            parking.look();
+            parking.released();
             refresh();
         },
     });
@@ -119,7 +119,6 @@ function run(snug: Snug, questions: Asker) {
     const parking = createParking(snug, questions, {
         changed: refresh,
         busy: () => street.busy(),
-        still: () => !street.busy() && !drawing.busy() && !player.running(),
         slice: (heading) => (byId<HTMLInputElement>("show-map").checked ? street.slice(heading, street.busy() ? 10 : 5) : null),
     });
     const maps = createMaps(questions, (extraLength, extraWidth) => {
@@ -209,7 +208,7 @@ function run(snug: Snug, questions: Asker) {
         const { state, map } = parking;
         const { car } = asked();
         const swept = map.state();
-        const found: Pick<Maneuver, "moves"> | null | undefined = state.exact?.maneuver ?? state.way;
+        const found: Pick<Maneuver, "moves"> | null | undefined = parking.way();
         const shown = found && found.moves.length > 0 ? found : null;
         const way = shown ? track(shown, "right") : null;
         const { length, width, angle, road, side, enter, scene } = inputs;
@@ -217,7 +216,7 @@ function run(snug: Snug, questions: Asker) {
         street.render({
             car,
             place: state.scene,
-            street: scene ? null : { length, width, angle: angle * (Math.PI / 180), road, left: side === "left", forward: enter === "forward" },
+            street: scene ? null : { length, width, angle: angle * (Math.PI / 180), road, left: side === "left", forward: enter === "forward", out: inputs.way === "out" },
             clearance: inputs.clearance,
             pose: state.pose,
             track: blocked ? null : way,
@@ -234,6 +233,7 @@ function run(snug: Snug, questions: Asker) {
         if (!shown || (!state.exact && state.lookedAt !== state.pose)) street.showCar(state.pose, 0);
         parking.again();
         sayPark(inputs, state, swept?.current ? swept : null);
+        byId("legend-entries").toggleAttribute("hidden", !!scene || angle > 0 || inputs.way === "out");
         byId("street-legend").toggleAttribute("hidden", !byId<HTMLInputElement>("show-map").checked);
     }
 
@@ -299,7 +299,7 @@ function run(snug: Snug, questions: Asker) {
     document.documentElement.dataset.ready = String(Math.round(performance.now()));
     // For the tests of the page.
     Object.assign(window, {
-        snugPage: { snug, frameTimes, inputs: now, asked, answer, parking: parking.state, map: parking.map },
+        snugPage: { snug, frameTimes, inputs: now, asked, answer, parking: parking.state, times: parking.times, map: parking.map },
     });
 }
 

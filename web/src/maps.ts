@@ -21,11 +21,13 @@ export function createMaps(questions: Asker, move: (extraLength: number, extraWi
             return html("li", {}, swatch, label);
         });
     const other = (kind: string, label: string) => html("li", {}, html("span", { class: `swatch ${kind}`, "aria-hidden": "true" }), label);
+    const entries = other("line", "the paper’s entry positions");
+    entries.id = "legend-entries";
     byId("street-legend").append(
         ...colors().slice(0, -2),
         other("more", "more than 20, or none known"),
         other("impossible", "impossible"),
-        other("line", "entry positions"),
+        entries,
     );
     byId("legend").append(
         ...colors(),

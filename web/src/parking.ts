@@ -10,8 +10,6 @@ interface Listener {
     changed(): void;
     /** Something is being dragged: the exact search waits. */
     busy(): boolean;
-    /** Nothing is dragged or played. */
-    still(): boolean;
     /** What of the street is in the picture, and how finely it is painted there. */
     slice(heading: number): Slice | null;
 }
@@ -28,9 +26,14 @@ export interface Parking {
     /** Of the last slice that came. */
     painted: { slice: Slice; counts: NonNullable<Seen["counts"]> } | null;
     exact: ParkAnswer | null;
+    /** Proved a moment before that; the way is any with so few changes. */
+    proved: ParkAnswer | null;
     soFar: FewestProgress | null;
     trouble: string;
 }
+
+type Counted = Pick<Maneuver, "moves" | "direction_changes">;
+const changes = (way: Counted | null) => way?.direction_changes ?? Infinity;
 
 export function createParking(snug: Snug, questions: Asker, listener: Listener) {
     const state: Parking = {
@@ -41,20 +44,37 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         lookedAt: null,
         painted: null,
         exact: null,
+        proved: null,
         soFar: null,
         trouble: "",
     };
     let place = "";
     let asked = "";
+    let searching = false; // for the exact answer to that
     let wanted: Inputs | null = null;
     /** The slice that came last. */
     let painted = "";
     const soonExact = later(40);
+    /** How long after the last change there was an answer, and after that and the end of a drag a proved way, for the bench. [ms] */
+    const times = { answers: [] as number[], proofs: [] as number[] };
+    let [since, sinceStill] = [NaN, NaN]; // not a number: told already
+    const tellTimes = () => {
+        const now = performance.now();
+        if (since && state.lookedAt === state.pose) {
+            times.answers.push(now - since);
+            since = NaN;
+        }
+        if (sinceStill && !listener.busy() && (state.exact ?? state.proved ?? (state.way && state.bounds?.proved))) {
+            times.proofs.push(now - sinceStill);
+            sinceStill = NaN;
+        }
+    };
 
     const map = createStreetMap(snug, questions, {
-        still: listener.still,
+        busy: listener.busy,
         ready: () => {
             painted = "";
+            lookUp();
             look();
             listener.changed();
         },
@@ -67,6 +87,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
                 state.painted = { slice, counts };
                 painted = JSON.stringify(slice);
             }
+            tellTimes();
             listener.changed();
         },
         failed: (sentence) => {
@@ -81,6 +102,22 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         map.look({ pose: state.pose, slice: JSON.stringify(slice) === painted ? null : slice });
     };
 
+    /** In the page's own map, if that is of this place. */
+    const lookUp = () => {
+        const seen = map.at(state.pose);
+        if (seen) Object.assign(state, { ...seen, lookedAt: state.pose });
+        tellTimes();
+    };
+
+    /** Nothing is dragged any more. */
+    const released = () => {
+        if (sinceStill) sinceStill = performance.now();
+        tellTimes();
+        map.takeOver();
+        look();
+        soonExact(askExact, 0);
+    };
+
     const caseOf = (inputs: Inputs) => ({
         car: inputs.car,
         place: placeOf(inputs),
@@ -93,12 +130,16 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             soonExact(askExact);
             return;
         }
+        if (searching) return;
+        searching = true;
         const mine = asked;
         questions.ask("park", "park", { ...caseOf(wanted), start: state.pose }, (told) => {
             if (mine !== asked) return;
             if ("error" in told) state.trouble = told.error;
             else if ("so_far" in told) state.soFar = told.so_far;
+            else if ("proved" in told) state.proved = told.proved;
             else state.exact = told.answer;
+            tellTimes();
             listener.changed();
         });
     };
@@ -129,14 +170,15 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             place = key;
             state.scene = scene;
             map.set(its);
-            state.bounds = null;
+            Object.assign(state, { bounds: null, lookedAt: null });
         }
         asked = question;
         wanted = inputs;
-        Object.assign(state, { pose: inputs.pose ?? usualPose(inputs, state.scene), exact: null, soFar: null, trouble: "" });
+        since = sinceStill = performance.now();
+        Object.assign(state, { pose: inputs.pose ?? usualPose(inputs, state.scene), exact: null, proved: null, soFar: null, trouble: "" });
         questions.abandon("park");
-        const seen = map.at(state.pose);
-        if (seen) Object.assign(state, { ...seen, lookedAt: state.pose });
+        searching = false;
+        lookUp();
         look();
         soonExact(askExact);
         return true;
@@ -147,5 +189,11 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         const slice = listener.slice(state.pose.heading);
         if (slice && !map.looking() && JSON.stringify(slice) !== painted) look();
     };
-    return { state, ask, again, look, map };
+    /** What is shown: never one with more changes than another that is known. */
+    const way = (): Counted | null | undefined => {
+        const { exact, proved } = state;
+        if (exact) return exact.maneuver;
+        return proved?.maneuver && changes(proved.maneuver) < changes(state.way) ? proved.maneuver : state.way;
+    };
+    return { state, times, ask, again, released, way, map };
 }

@@ -127,8 +127,10 @@ export function createPlayer(show: (pose: Pose, steer: number) => void) {
         goTo(time < times.startOf(leg) - 1e-6 && leg > 0 ? times.startOf(leg) : endOf(leg));
     });
 
-    const contactWords = ({ contact, nearest }: Move & { nearest?: { car: string; obstacle: string; distance: number } }, end: string | null) =>
-        contact
+    const contactWords = ({ contact, nearest }: Move & { nearest?: { car: string; obstacle: string; distance: number } }, end: string | null, goesOn: boolean) =>
+        goesOn
+            ? "then turn the wheel"
+            : contact
             ? `${contact.car} meets ${obstacles[contact.obstacle] ?? contact.obstacle}`
             : end !== null
               ? `stop: ${end.toLowerCase()}`
@@ -160,7 +162,7 @@ export function createPlayer(show: (pose: Pose, steer: number) => void) {
                     html("span", { class: "how" }, how(next.car, move)),
                     html("span", { class: "angle" }, wheelAngle(move)),
                     html("span", { class: "far" }, `${move.length.toFixed(3)} m`),
-                    html("span", { class: "until" }, contactWords(move, i === moves.length - 1 ? next.end : null)),
+                    html("span", { class: "until" }, contactWords(move, i === moves.length - 1 ? next.end : null, move.direction === moves[i + 1]?.direction)),
                 );
                 step.addEventListener("click", () => {
                     halt();
@@ -201,5 +203,5 @@ export function createPlayer(show: (pose: Pose, steer: number) => void) {
         loadedAt = asked;
         goTo(0);
     };
-    return { load, place, pause: halt, running: () => running };
+    return { load, place, pause: halt };
 }

@@ -49,15 +49,15 @@ export interface Questions {
         ask: Case & Partial<SlotLike> & { max_changes: number; strategy: "max-steer" | "fewest" };
         tell: { row: MinSlotRow };
     };
-    /** The fewest changes from one pose, with proof. */
+    /** The fewest changes from one pose, with proof: mostly that and any such way are there long before the roomiest. */
     park: {
         ask: PlaceCase & { start: Pose };
-        tell: { so_far: FewestProgress } | { answer: ParkAnswer };
+        tell: { so_far: FewestProgress } | { proved: ParkAnswer } | { answer: ParkAnswer };
     };
-    /** From every pose: the worker keeps the map and answers looks. */
+    /** From every pose: the worker keeps the map and answers looks; up to so many bytes it also hands it over, packed. */
     "street-map": {
-        ask: PlaceCase & { spacing: number };
-        tell: { spacing: number; milliseconds: number };
+        ask: PlaceCase & { spacing: number; hand_over: number };
+        tell: { spacing: number; milliseconds: number; packed: Uint8Array | null };
     };
     look: {
         ask: { pose: Pose; slice: Slice | null };

@@ -13,7 +13,7 @@ export interface StreetScene {
     car: Shape;
     place: Place;
     /** What of it can be dragged; null: a place from a file. */
-    street: { length: number; width: number; angle: number; road: number | null; left: boolean; forward: boolean } | null;
+    street: { length: number; width: number; angle: number; road: number | null; left: boolean; forward: boolean; out: boolean } | null;
     clearance: number;
     pose: Pose;
     /** The way shown is known to end in the slot. */
@@ -49,7 +49,6 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
     const drawn = pen(view);
     const { at, polygon, path, stand } = drawn;
     let size = { width: 0, height: 0 };
-    let drag: { what: Drag; last: Point; pose: Pose; offset: Point } | null = null;
     let measuresLeft = false;
     let shown: { pose: Pose; steer: number } | null = null;
 
@@ -111,7 +110,11 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         const beside = (narrow ? 0.75 : 1.45) * own;
         const out = Math.min(s.street.road ?? Infinity, Math.max(1.5 * own, 6));
         const [low, high] = sense(s) > 0 ? [slot.y_min - 0.75, out + 0.45] : [-out - 0.45, slot.y_max + 0.75];
-        return extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside, y: high }, ...stands]);
+        // The knob that turns the car is ahead of it.
+        const ahead = s.car.front + (narrow ? 1.5 : 1);
+        const knob = { x: s.pose.x + ahead * Math.cos(s.pose.heading), y: s.pose.y + ahead * Math.sin(s.pose.heading) };
+        const goal = s.street.out ? 0.8 * own : 0; // out on the road
+        return extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside + goal, y: high }, ...stands, knob]);
     };
 
     const fit = (s: StreetScene) => {
@@ -243,7 +246,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
 
     /** The paper's entry positions: a line of them, and the one of this heading. */
     const drawEntries = (s: StreetScene) => {
-        if (!s.street || s.street.angle !== 0) {
+        if (!s.street || s.street.angle !== 0 || s.street.out) {
             entries.replaceChildren();
             return;
         }
@@ -252,7 +255,9 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
             const pose = entryPose(s.car, length, heading, forward, s.clearance);
             return { x: pose.x, y: sense(s) * pose.y };
         };
-        const line = Array.from({ length: 46 }, (_, i) => entry(radians(2 * i)));
+        // Beyond the curb no car can stand.
+        const deep = extent(bay(s));
+        const line = Array.from({ length: 91 }, (_, i) => entry(radians(i))).filter(({ y }) => y >= deep.y_min && y <= Math.max(deep.y_max, -deep.y_min));
         const mine = (left ? -1 : 1) * (forward ? -1 : 1) * s.pose.heading;
         const parts: SVGElement[] = [svg("path", { class: "entry-line", d: path(line) }, svg("title", {}, "The paper’s entry positions"))];
         if (mine >= 0 && mine <= quarter) {
@@ -266,7 +271,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         const parts: SVGElement[] = [];
         const lines: SVGElement[] = [];
         if (s.track && s.track.legs.length > 0) {
-            const poses = s.track.legs.map((leg) => samples(s.car, leg, drag ? 0.12 : 0.03));
+            const poses = s.track.legs.map((leg) => samples(s.car, leg, drag() ? 0.12 : 0.03));
             if (s.swept) parts.push(svg("path", { class: "swept", d: poses.flat().map((pose) => polygon(carCorners(s.car, pose))).join("") }));
             const turns = s.track.legs.filter((leg, i) => s.track!.legs[i + 1] && s.track!.legs[i + 1]!.backward !== leg.backward);
             parts.push(svg("path", { class: "ghosts", d: turns.map((leg) => polygon(carCorners(s.car, leg.end))).join("") }));
@@ -312,18 +317,32 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
             const middle = (slot.y_min + slot.y_max) / 2;
             const inward = street.angle === 0 ? 26 / view.scale : street.width / Math.sin(street.angle) / 2;
             const along = street.angle === 0 ? metres(street.length, 0.5, 40) : metres(street.width, 0.3, 10);
-            slider(gripOf.rear, { x: slot.x_min - inward, y: middle }, along);
-            slider(gripOf.front, { x: slot.x_max + inward, y: middle }, along);
             const deepest = out > 0 ? slot.y_min : slot.y_max;
-            slider(gripOf.curb, { x: slot.x_min + 0.22 * (slot.x_max - slot.x_min), y: deepest }, street.angle === 0 ? metres(street.width, 0.3, 10) : metres(street.length, 0.5, 40), [0, 17]);
+            // Beside a slot they are near the curb: the knob of a car that stands in it is in the middle.
+            const y = street.angle === 0 ? 0.25 * middle + 0.75 * (deepest + (out * 16) / view.scale) : middle;
+            slider(gripOf.rear, { x: slot.x_min - inward, y }, along);
+            slider(gripOf.front, { x: slot.x_max + inward, y }, along);
+            slider(gripOf.curb, { x: slot.x_min - 22 / view.scale, y: deepest }, street.angle === 0 ? metres(street.width, 0.3, 10) : metres(street.length, 0.5, 40), [0, 17]);
             gripOf.far.style.display = street.road === null ? "none" : "";
             if (street.road !== null) slider(gripOf.far, { x: slot.x_min - 0.35 * s.car.front, y: out * street.road }, metres(street.road, 0.5, 30), [0, -6]);
             if (street.angle === 0) {
                 const ends = [at({ x: slot.x_min, y: deepest }), at({ x: slot.x_max, y: deepest })].sort((a, b) => a[0] - b[0]) as [[number, number], [number, number]];
                 measures.push(dimension(ends[0], ends[1], [0, Math.min(0.55 * view.scale, size.height - ends[0][1] - 10)], `${street.length.toFixed(3)} m`));
             }
+            if (street.angle > 0) {
+                // Of a bay, along the end that is farthest in: of its corners the two farthest from the road, from left to right.
+                const inner = bay(s)
+                    .sort((a, b) => out * (a.y - b.y))
+                    .slice(0, 2)
+                    .map(at)
+                    .sort((a, b) => a[0] - b[0]) as [[number, number], [number, number]];
+                const [[x1, y1], [x2, y2]] = inner;
+                const off = street.angle < quarter ? 20 : Math.min(0.55 * view.scale, size.height - y1 - 10);
+                const long = Math.hypot(x2 - x1, y2 - y1);
+                measures.push(dimension(...inner, [(-off * (y2 - y1)) / long, (off * (x2 - x1)) / long], `${street.width.toFixed(3)} m`));
+            }
             // Where the car is not.
-            if (!drag) measuresLeft = at(s.pose)[0] > size.width / 2;
+            if (!drag()) measuresLeft = at(s.pose)[0] > size.width / 2;
             const x = measuresLeft ? 26 : size.width - 22;
             measures.push(dimension([x, at({ x: 0, y: deepest })[1]], [x, at({ x: 0, y: 0 })[1]], [0, 0], `${(street.angle === 0 ? street.width : slot.y_max - slot.y_min).toFixed(3)} m`));
             if (street.road !== null) measures.push(dimension([x, at({ x: 0, y: 0 })[1]], [x, at({ x: 0, y: out * street.road })[1]], [0, 0], `${street.road.toFixed(2)} m`));
@@ -348,7 +367,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
     const render = (next: StreetScene) => {
         scene = next;
         if (size.width === 0) return;
-        if (!drag) fit(next);
+        if (!drag()) fit(next);
         drawGround(next);
         paint(next);
         drawEntries(next);
@@ -386,14 +405,13 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
 
     // --- dragging
     const grab = (what: Drag, last: Point) => {
-        if (!scene) return false;
+        if (!scene) return null;
         const pose = shown?.pose ?? scene.pose;
-        drag = { what, last, pose, offset: { x: pose.x - last.x, y: pose.y - last.y } };
         handles.grabbed();
-        return true;
+        return { what, last, pose, offset: { x: pose.x - last.x, y: pose.y - last.y } };
     };
-    const move = (p: Point) => {
-        if (!drag || !scene) return;
+    const move = (drag: NonNullable<ReturnType<typeof grab>>, p: Point) => {
+        if (!scene) return;
         const { what: held, offset, pose } = drag;
         if (held === "car") {
             handles.pose(tidyPose({ x: p.x + offset.x, y: p.y + offset.y, heading: pose.heading }));
@@ -440,11 +458,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         }
         return true;
     };
-    const release = () => {
-        drag = null;
-        handles.released();
-    };
-    createHandles(root, drawn.ground, gripOf, { grab, move, release, key });
+    const drag = createHandles(root, drawn.ground, gripOf, { grab, move, released: () => handles.released(), key });
 
     watchSize(root, (now) => {
         size = now;
@@ -455,7 +469,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         handles.released();
     });
 
-    return { render, showCar, slice, busy: () => drag !== null };
+    return { render, showCar, slice, busy: () => drag() !== null };
 }
 
 const channels = new Map<string, [number, number, number]>();

@@ -1,8 +1,7 @@
 // The map of the street, from every pose: swept in a worker, coarse first and then finer, and looked up there. Two workers
-// take turns: one answers with the newest map while the other sweeps the next. Once a place stays as it is and nothing
-// moves, the page sweeps the coarse map itself, too: it is looked up in the frame that asks.
+// take turns: one answers with the newest map while the other sweeps the next. The coarse one is handed over to the page once
+// nothing is dragged: then it is looked up in the frame that asks.
 import type { Car, Maneuver, MapBounds, ParkMap, Pose, Snug } from "snug";
-import { later } from "./later";
 import { mostInStreet, type Asker, type PlaceCase, type Slice } from "./questions";
 
 export interface Look {
@@ -20,12 +19,12 @@ interface Listener {
     ready(): void;
     seen(look: Look, seen: Seen): void;
     failed(sentence: string): void;
-    /** Nothing is dragged or played: nobody sees a frame left out. */
-    still(): boolean;
+    /** Something is being dragged: no time to take a map over. */
+    busy(): boolean;
 }
 
-/** What a worker took so long for the page does not do itself. [ms] */
-const longestOwn = 250;
+/** To take over a larger map would hold up a frame. [bytes] */
+const largestOwn = 12e6;
 
 /** Lattices, as parts of the coarsest. */
 const levels = [1, 1 / 2, 1 / 3];
@@ -40,22 +39,25 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
     /** What the front worker holds. */
     let held: { key: string; spacing: number; milliseconds: number; level: number } | null = null;
     /** How long maps and looks took, for the tests and the bench. [ms] */
-    const times = { maps: [] as number[], looks: [] as number[], own: [] as number[] };
+    const times = { maps: [] as number[], taken: [] as number[], looks: [] as number[], own: [] as number[] };
 
     const sweep = (level: number) => {
         if (!wanted) return;
         const mine = { key, level };
+        const swept = { ...wanted, spacing: coarsest(wanted.car) * levels[level]! };
         sweeping = mine;
         const back = 1 - front;
-        questions.ask(`street-${back}`, "street-map", { ...wanted, spacing: coarsest(wanted.car) * levels[level]! }, (told) => {
+        questions.ask(`street-${back}`, "street-map", { ...swept, hand_over: level === 0 ? largestOwn : 0 }, (told) => {
             sweeping = null;
             if ("error" in told) {
                 if (mine.key === key && level === 0) listener.failed(told.error);
             } else {
                 front = back;
-                held = { key: mine.key, level, ...told };
+                const { spacing, milliseconds } = told;
+                held = { key: mine.key, level, spacing, milliseconds };
                 if (level === 0) times.maps.push(told.milliseconds);
-                if (level === 0 && told.milliseconds < longestOwn) soonOwn(sweepOwn);
+                if (told.packed) given = { key: mine.key, swept, packed: told.packed };
+                takeOver();
                 looking = 0; // what the other worker was asked is asked again of this one
                 listener.ready();
             }
@@ -65,21 +67,21 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
     };
 
     let own: { key: string; map: ParkMap } | null = null;
-    const soonOwn = later(300);
-    const sweepOwn = () => {
-        if (!wanted || own?.key === key) return;
-        if (!listener.still()) {
-            soonOwn(sweepOwn);
-            return;
-        }
+    let given: { key: string; swept: PlaceCase & { spacing: number }; packed: Uint8Array } | null = null;
+    const takeOver = () => {
+        if (!given || listener.busy()) return;
+        const before = performance.now();
+        const { key, swept, packed } = given;
+        const { car, place, options, spacing } = swept;
+        given = null;
         own?.map.delete();
         own = null;
-        const { car, place, options } = wanted;
         try {
-            own = { key, map: snug.parkMap(car, place, { ...options, spacing: coarsest(car), max_changes: mostInStreet }) };
+            own = { key, map: snug.unpackParkMap(car, place, { ...options, spacing, max_changes: mostInStreet }, packed) };
         } catch {
             // Out of memory, at worst: the workers' maps go on answering.
         }
+        times.taken.push(performance.now() - before);
     };
     /** From the page's own map; null where that is of another place. */
     const at = (pose: Pose): Pick<Seen, "bounds" | "way"> | null => {
@@ -127,7 +129,7 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
         set,
         look,
         at,
-        sweepOwn,
+        takeOver,
         looking: () => looking !== 0,
         times,
         /** Null: none yet. `current`: of the place that was set last. */

@@ -1,6 +1,6 @@
 // From metres to the picture: where a point of the ground is on the screen, and how a car standing there is drawn.
 import { svg, set } from "./dom";
-import { carCorners, corners, type Point, type Shape } from "./geometry";
+import { carCorners, corners, degrees, type Point, type Shape } from "./geometry";
 import type { Pose } from "snug";
 
 /** `fx`, `fy`: -1 where the picture runs against x or y. */
@@ -106,7 +106,9 @@ export function dimension(from: [number, number], till: [number, number], off: [
     const head = (x: number, y: number, d: number) =>
         `M${round(x)} ${round(y)}L${round(x + d * (8 * ux - 2.6 * uy))} ${round(y + d * (8 * uy + 2.6 * ux))}` +
         `L${round(x + d * (8 * ux + 2.6 * uy))} ${round(y + d * (8 * uy - 2.6 * ux))}Z`;
-    const upright = Math.abs(uy) > Math.abs(ux);
+    const turned = degrees(Math.atan2(uy, ux));
+    // To be read from below or from the right.
+    const turn = turned >= 90 ? turned - 180 : turned < -90 ? turned + 180 : turned;
     const [mx, my] = [(ax + bx) / 2, (ay + by) / 2];
     const reach = (p: number, q: number) => q + Math.sign(q - p) * 5;
     return svg(
@@ -124,9 +126,9 @@ export function dimension(from: [number, number], till: [number, number], off: [
                 class: "measure",
                 x: round(mx),
                 y: round(my),
-                dy: upright ? "-0.45em" : "-0.4em",
+                dy: "-0.4em",
                 "text-anchor": "middle",
-                transform: upright ? `rotate(-90 ${round(mx)} ${round(my)})` : null,
+                transform: turn === 0 ? null : `rotate(${round(turn)} ${round(mx)} ${round(my)})`,
             },
             text,
         ),

@@ -12,6 +12,7 @@ const angle = (heading: number, digits = 2) => `${degrees(heading).toFixed(digit
 const say = (verdict: string, state: "fits" | "not" | "open", count: string, unit: string, note: string) => {
     setText(byId("verdict"), verdict);
     setText(byId("count"), count);
+    set(byId("count"), { "data-long": count.length > 2 ? "" : null });
     setText(byId("count-unit"), unit);
     setText(byId("count-note"), note);
     byId("answer").dataset.state = state;
@@ -41,15 +42,16 @@ export function sayAnswer(snug: Snug, inputs: Inputs, answers: Answers, shown: M
     else sayEntry(snug, inputs, answers, run);
 }
 
-const metres = (value: number) => `${value.toFixed(2)} m`;
+/** Never broken before the unit. */
+const metres = (value: number) => `${value.toFixed(2)}\u00a0m`;
 
 /** In the street: the exact answer where there is one, else what the map says. `map`: null while there is none of this place. */
-export function sayPark(inputs: Inputs, { bounds, exact, soFar, pose, trouble }: Parking, map: { spacing: number } | null) {
+export function sayPark(inputs: Inputs, { bounds, exact, proved: before, soFar, pose, trouble }: Parking, map: { spacing: number } | null) {
     for (const id of ["fit-slot", "try-all", "best"]) set(byId(id), { hidden: "" });
     const out = goalOf(inputs) === "road";
     const [fits, fitsNot] = out ? ["It gets out", "It does not get out"] : ["It parks", "It does not park"];
     setText(byId("strategy-note"), "Any steering, any stops: the fewest changes there can be, with proof.");
-    setText(byId("maneuver-note"), exact?.maneuver || !bounds?.first ? "" : "From the map, checked by exact contact; a roomier one may follow.");
+    setText(byId("maneuver-note"), exact?.maneuver || !(before?.maneuver ?? bounds?.first) ? "" : "Checked by exact contact; a roomier one may follow.");
     setText(byId("stands"), `${metres(pose.x)}, ${metres(pose.y)}`);
     setText(byId("stands-note"), `${Number(degrees(pose.heading).toFixed(2)) + 0}° to the street. ${inputs.pose ? "" : "Drag the car anywhere."}`);
     set(byId("usual"), { hidden: inputs.pose ? null : "" });
@@ -60,13 +62,14 @@ export function sayPark(inputs: Inputs, { bounds, exact, soFar, pose, trouble }:
     else setText(byId("map-says"), bounds.where === "blocked" ? "blocked" : bounds.impossible ? "impossible" : range(bounds.lower_bound, bounds.direction_changes));
     setText(byId("map-note"), map ? `From every pose at once, on a lattice of ${plain(100 * map.spacing, 1)} cm.` : "The street is swept …");
 
-    if (exact) {
-        const { direction_changes: found, lower_bound, proved, impossible, maneuver, spacing } = exact;
-        const room = maneuver ? ` ${metres(maneuver.length)} driven.` : "";
+    const answer = exact ?? before;
+    if (answer) {
+        const { direction_changes: found, lower_bound, proved, impossible, maneuver, spacing } = answer;
+        const room = exact && maneuver ? ` ${metres(maneuver.length)} driven.` : "";
         if (found === 0 && maneuver?.moves.length === 0) say(out ? "It is out" : "It is parked", "fits", "0", plural(0), "Nothing to drive.");
         else if (found !== undefined && proved) say(fits!, "fits", String(found), plural(found), `Proved: no maneuver has fewer.${room}`);
         else if (found !== undefined) say(fits!, "fits", `≤ ${found}`, plural(found), `No maneuver has fewer than ${lower_bound}.${room}`);
-        else if (proved) say(fitsNot!, "not", "∅", "no way", impossible ? "Proved: no number of changes will do." : `Proved: not with up to ${exact.max_changes} changes.`);
+        else if (proved) say(fitsNot!, "not", "∅", "no way", impossible ? "Proved: no number of changes will do." : `Proved: not with up to ${answer.max_changes} changes.`);
         else say("Undecided", "open", `≥ ${lower_bound}`, plural(2), `Nothing found on a lattice of ${plain(1000 * spacing, 1)} mm in the time given.`);
         return;
     }
@@ -80,7 +83,7 @@ export function sayPark(inputs: Inputs, { bounds, exact, soFar, pose, trouble }:
         const high = Math.min(bounds.direction_changes ?? Infinity, soFar?.direction_changes ?? Infinity);
         const known = high < Infinity ? high : undefined;
         const word = known === undefined ? "Searching" : fits!;
-        say(word, known === undefined ? "open" : "fits", range(low, known), plural(known ?? 2), low === known ? "Proved by the map: no maneuver has fewer." : "From the map, checked by exact contact; the proof follows.");
+        say(word, known === undefined ? "open" : "fits", range(low, known), plural(known ?? 2), low === known ? "Proved: no maneuver has fewer." : "From the map, checked by exact contact; the proof follows.");
     }
 }
 

@@ -3,10 +3,13 @@ import type { ParkMap, Snug } from "snug";
 import { more, mostInStreet, type FromWorker, type Kind, type Questions, type ToWorker } from "./questions";
 import { start } from "./solver";
 
-type Tell = (told: unknown, last?: boolean) => void;
-type Answer<K extends Kind> = (snug: Snug, ask: Questions[K]["ask"], tell: (told: Questions[K]["tell"], last?: boolean) => void) => void;
+/** `given`: what the page has from then on, and the worker no more. */
+type Tell = (told: unknown, last?: boolean, given?: ArrayBufferLike[]) => void;
+type Answer<K extends Kind> = (snug: Snug, ask: Questions[K]["ask"], tell: (told: Questions[K]["tell"], ...rest: [last?: boolean, given?: ArrayBufferLike[]]) => void) => void;
 
 const timeLimit = 60; // [s]
+/** A proof that takes longer comes with the roomiest way. [s] */
+const soon = 0.2;
 
 const fewest: Answer<"fewest"> = (snug, { car, clearance, enter, slot }, tell) => {
     const answer = snug.fewest(
@@ -24,16 +27,19 @@ const minSlot: Answer<"min-slot"> = (snug, { car, ...options }, tell) => tell({ 
 
 const park: Answer<"park"> = (snug, { car, place, options, start }, tell) => {
     const progress = (so_far: Parameters<NonNullable<NonNullable<Parameters<Snug["park"]>[2]>["progress"]>>[0]) => tell({ so_far });
+    const quick = snug.park(car, place, { ...options, start, time_limit: soon, roomiest: false, progress });
+    if (quick.proved) tell({ proved: quick });
     tell({ answer: snug.park(car, place, { ...options, start, time_limit: timeLimit, progress }) }, true);
 };
 
 let held: ParkMap | null = null;
-const streetMap: Answer<"street-map"> = (snug, { car, place, options, spacing }, tell) => {
+const streetMap: Answer<"street-map"> = (snug, { car, place, options, spacing, hand_over }, tell) => {
     const before = performance.now();
     held?.delete();
     held = null;
     held = snug.parkMap(car, place, { ...options, spacing, max_changes: mostInStreet });
-    tell({ spacing, milliseconds: performance.now() - before }, true);
+    const packed = held.bytes <= hand_over ? held.packed() : null;
+    tell({ spacing, milliseconds: performance.now() - before, packed }, true, packed ? [packed.buffer] : []);
 };
 const look: Answer<"look"> = (_, { pose, slice }, tell) => {
     if (!held) throw new Error("there is no map yet");
@@ -119,7 +125,7 @@ onmessage = async ({ data }: MessageEvent<ToWorker>) => {
         snug = start(data.module);
         return;
     }
-    const tell: Tell = (told, last = false) => postMessage({ id: data.id, told, last } satisfies FromWorker);
+    const tell: Tell = (told, last = false, given = []) => postMessage({ id: data.id, told, last } satisfies FromWorker, { transfer: given as ArrayBuffer[] });
     try {
         (answers[data.kind] as (snug: Snug, ask: unknown, tell: Tell) => void)(await snug, data.ask, tell);
     } catch (error) {

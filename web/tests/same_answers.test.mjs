@@ -144,6 +144,43 @@ test("the map of a street bounds what the command answers", async () => {
     assert.match(map.fingerprint, /^\d+$/);
 });
 
+test("a map that was packed says the same once unpacked; what is damaged or of something else is refused", async () => {
+    const page = await site.page();
+    const [same, refused] = await page.evaluate(() => {
+        const { snug } = window.snugPage;
+        const of = ["renault-zoe", { length: 5.2, width: 2, road: 3.5 }, { spacing: 0.12, max_changes: 9 }];
+        const map = snug.parkMap(...of);
+        const packed = map.packed();
+        const again = snug.unpackParkMap(...of, packed);
+        const poses = Array.from({ length: 300 }, (_, i) => ({ x: -8 + 0.05 * i, y: 3 * Math.sin(i) + 0.5, heading: Math.sin(3 * i) }));
+        const all = (one) => JSON.stringify([one.bytes, one.fingerprint, poses.map((pose) => [one.at(pose), one.maneuver(pose)])]);
+        const same = all(map) === all(again);
+        const refuse = (...how) => {
+            try {
+                snug.unpackParkMap(...how);
+                return "";
+            } catch (error) {
+                return error.message;
+            }
+        };
+        const damaged = packed.slice();
+        damaged[packed.length >> 1] ^= 4;
+        const refused = [
+            refuse(...of, damaged),
+            refuse(...of, packed.slice(0, packed.length >> 1)),
+            refuse(...of, new Uint8Array(3)),
+            refuse(...of, "map"),
+            refuse(of[0], { ...of[1], width: 2.1 }, of[2], packed),
+            refuse(of[0], of[1], { ...of[2], spacing: 0.1 }, packed),
+        ];
+        map.delete();
+        again.delete();
+        return [same, refused];
+    });
+    assert.ok(same);
+    for (const [i, words] of [/damaged/, /damaged|too soon/, /too soon|version/, /Uint8Array/, /another one/, /another one/].entries()) assert.match(refused[i], words);
+});
+
 test("errors are JavaScript's, with the core's messages", async () => {
     const page = await site.page();
     const slot = { length: 5, width: 2 };

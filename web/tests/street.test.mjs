@@ -45,6 +45,9 @@ test("the car dragged to ten poses: the map bounds the command's count, and the 
         }
         ++free;
         const found = await sameAsCommand(page, `pose ${i}`);
+        // What was shown as proved before the roomiest way was there had the same count.
+        const before = await page.evaluate(() => window.snugPage.parking.proved);
+        if (before) assert.deepEqual([before.proved, before.direction_changes], [true, found.direction_changes]);
         assert.equal(await text(page, "count"), found.proved ? String(found.direction_changes) : `≤ ${found.direction_changes}`);
         assert.ok(bounds.lower_bound <= found.direction_changes);
         if (bounds.direction_changes !== undefined) assert.ok(bounds.direction_changes >= found.lower_bound);
@@ -54,10 +57,9 @@ test("the car dragged to ten poses: the map bounds the command's count, and the 
 
 test("while the car is dragged, the page's own map answers in the frame that asks, as the library's does", { timeout: 300_000 }, async () => {
     const page = await site.page({ path: "#mode=street&length=5.4&width=2.1" });
-    await page.waitForFunction(() => window.snugPage.map.state()?.current);
+    await page.waitForFunction(() => window.snugPage.map.state()?.own);
     await page.evaluate(() => {
-        const { snug, map } = window.snugPage;
-        map.sweepOwn();
+        const { snug } = window.snugPage;
         const car = snug.car("renault-zoe");
         const spacing = Math.min((0.999 / 32) * (car.wheelbase / Math.tan(car.max_steer)), 0.16);
         window.again = snug.parkMap(car, { length: 5.4, width: 2.1, road: 6 }, { spacing, max_changes: 20 });
@@ -182,15 +184,29 @@ test("the street is coloured by the map's counts at the car's heading, and anew 
     assert.ok(apart < 1, `${apart} pixels`);
     // What is unknown, more than is counted, and impossible are told apart in words, too.
     assert.match(await text(page, "street-legend"), /more than 20, or none known.*impossible.*entry positions/);
+    assert.ok(await page.locator("#legend-entries").isVisible());
     await page.locator("#show-map").uncheck();
     await settled(page);
     assert.equal(await page.locator("#street image").getAttribute("href"), null);
+    // They are the paper's, of parallel slots: a bay has none, neither in the picture nor in the legend.
+    await page.locator("#show-map").check();
+    await choose(page, "kind", "perpendicular");
+    assert.equal(await page.locator("#street .entry-line").count(), 0);
+    assert.ok(await page.locator("#legend-entries").isHidden());
 });
 
 test("played as the trajectory has it: its time, its distances, a wheel that tells left from right", { timeout: 300_000 }, async () => {
     const page = await site.page();
     const { maneuver } = await exact(page);
     await settled(page);
+    // Front wheels turn, rear ones do not: how a wheel's side lies on the screen.
+    const wheels = () =>
+        page.evaluate(() =>
+            [...document.querySelectorAll("#street .vehicle .wheel")].map((wheel) => {
+                const [, x1, y1, x2, y2] = /M(\S+) (\S+)L(\S+) (\S+)L/.exec(wheel.getAttribute("d")).map(Number);
+                return Math.atan2(y1 - y2, x1 - x2);
+            }),
+        );
     const seconds = Number(await page.evaluate(() => document.documentElement.dataset.seconds));
     assert.ok(Math.abs(seconds - maneuver.seconds) < 1e-6, `${seconds} s and the command's ${maneuver.seconds} s`);
     const wheel = () => page.locator("#wheel").getAttribute("transform");
@@ -199,6 +215,9 @@ test("played as the trajectory has it: its time, its distances, a wheel that tel
         await page.locator("#moves li button").nth(i).click();
         const move = maneuver.moves[i];
         turns.set(move.steering, ((Number(/rotate\((.*)\)/.exec(await wheel())[1]) % 360) + 360) % 360);
+        const [rear, , front] = await wheels();
+        const turned = Math.abs(Math.atan2(Math.sin(front - rear), Math.cos(front - rear)));
+        if (i > 0) assert.ok(Math.abs(turned - Math.abs(maneuver.moves[i].steering_angle)) < 0.1, `move ${i}: front wheels ${turned} rad`);
         await page.locator("#next").click();
         const near = await text(page, "now-near");
         if (move.nearest) {
@@ -210,6 +229,16 @@ test("played as the trajectory has it: its time, its distances, a wheel that tel
     if (turns.has("left") && turns.has("right")) assert.ok(Math.abs(turns.get("left") - turns.get("right")) > 20, [...turns].join());
     const pose = JSON.parse(await page.evaluate(() => document.documentElement.dataset.pose));
     for (const key of ["x", "y", "heading"]) assert.ok(Math.abs(pose[key] - maneuver.goal[key]) < 1e-9);
+    // The path lies over the car, of which a sign marks the front; the corners' tracks are drawn where they are asked for.
+    const drawn = () =>
+        page.evaluate(() => {
+            const [vehicle, way, ...tracks] = ["vehicle", "way .path", "trail .corner-track"].flatMap((what) => [...document.querySelectorAll(`#street .${what}`)].slice(0, what.includes(" .c") ? 9 : 1));
+            return { over: !!(vehicle.compareDocumentPosition(way) & Node.DOCUMENT_POSITION_FOLLOWING), front: !!vehicle.querySelector(".ahead").getAttribute("d"), tracks: tracks.length };
+        });
+    assert.deepEqual(await drawn(), { over: true, front: true, tracks: 0 });
+    await page.locator("#tracks").check();
+    await settled(page);
+    assert.deepEqual(await drawn(), { over: true, front: true, tracks: 4 });
     await page.locator("#play").click();
     await page.waitForFunction(() => / m\/s/.test(document.getElementById("now-detail").textContent) && !/ 0\.00 m\/s/.test(document.getElementById("now-detail").textContent));
     await page.locator("#play").click();
