@@ -177,7 +177,6 @@ std::string way_out_text(const EntryQuestion& question, const WayOut& out) {
 
 namespace {
 
-constexpr double one_try = 0.25;                    ///< for one place that is tried [s]
 constexpr double much_slot = 1.0, much_road = 4.0;  ///< more is not thought of [m]
 
 /// The fewest changes if more than `allowed` do, as a row.
@@ -185,7 +184,7 @@ template <class Options, class Solve>
 void add_more_changes(Rows& rows, Options options, const Solve& solve) {
     if (options.max_changes >= limits::usual_changes) return;
     options.max_changes = limits::usual_changes;
-    options.time_limit = patience;
+    options.time_limit = 2.0 * patience;
     if (const auto count = solve(options).direction_changes)
         rows.push_back({"more changes", changes(*count), "--max-changes " + std::to_string(*count)});
 }
@@ -211,13 +210,14 @@ std::string way_out_text(const ParkQuestion& question) {
     ParkOptions options = question.options;
     if (options.time_limit < std::numeric_limits<double>::infinity()) return "";
     options.roomiest = false;
-    options.resolution = std::max(options.resolution, question.car.length() / 200.0);
+    options.resolution = std::max(options.resolution, coarse(question.car));
     options.progress = [](const ParkProgress&) { return interruption() == 0; };
     const Pose& start = question.scene.start;
     Rows rows;
     const auto solve = [&](const ParkOptions& asked) { return park(question.car, question.scene.place, start, asked); };
     add_more_changes(rows, options, solve);
-    options.time_limit = one_try;
+    options.resolution = std::max(options.resolution, question.car.length() / 200.0);
+    options.time_limit = patience;
     // A place in which the car would collide at the start is one that will not do.
     const auto parks = [&](const Place& place, const ParkOptions& asked) {
         try {
@@ -271,7 +271,7 @@ std::string way_out_text(const EntryQuestion& question, const Pose& parked, cons
     Rows rows;
     add_more_changes(rows, options,
                      [&](const FewestOptions& more) { return leave(question.car, question.slot, parked, more); });
-    options.time_limit = one_try;
+    options.time_limit = patience;
     add(rows, "a longer slot", "--length", question.slot.length(),
         least_more(much_slot, [&](double by) { return leaves(resized(question.slot, by, 0.0), options); }));
     add_less_clearance(rows, options.driving.clearance, [&](double clearance) {
