@@ -43,7 +43,8 @@ struct AtStart {
 
 /// First contact while turning clockwise, from the heading (c, s). What touches already and would move in is met at once;
 /// what touches and moves away, or along, is not met. `Found` keeps what is to be known of the contacts.
-template <class N, class Found>
+/// Where a circle only just reaches a line is looked at carefully or, in lanes, only noticed: that is rare and costs time.
+template <class N, class Found, bool Careful = true>
 struct First {
     using Real = typename N::Real;
     using Mask = typename N::Mask;
@@ -53,6 +54,7 @@ struct First {
     Real c, s;       ///< of the first contact
     Real order;      ///< s - c falls with the heading: the first contact has the largest; -2 if there is none
     Found found;
+    Real closest;  ///< not Careful: to a root's square of 0 [m^2]
 
     SNUG_INLINE First(Real from_c, Real from_s, Real end)
         : start_c(from_c),
@@ -61,7 +63,16 @@ struct First {
           end_order(end),
           c(N::set(1.0)),
           s(N::set(0.0)),
-          order(N::set(-2.0)) {}
+          order(N::set(-2.0)),
+          closest(N::set(1.0)) {}
+
+    SNUG_INLINE First& operator=(const First<N, Found, !Careful>& looked_at_otherwise) {
+        c = looked_at_otherwise.c;
+        s = looked_at_otherwise.s;
+        order = looked_at_otherwise.order;
+        found = looked_at_otherwise.found;
+        return *this;
+    }
 
     /// `at_start` is asked only of what has its root near the start.
     template <class Ask>
@@ -106,10 +117,22 @@ struct First {
     /// Rounding can have a circle end short of a line that it only just reaches. It is taken to reach it there; whoever asks
     /// must see that the car touches the line from the start, for then its first way is what decides: in or away.
     SNUG_INLINE Mask just_reaches(Crossing<Real>& crossing, Real radius, Real touch) {
-        const Real rounding = radius * touch;
-        const Mask just = N::both(crossing.square < N::set(0.0), crossing.square >= N::minus(rounding));
-        if (N::rarely(just)) crossing.square = N::select(just, N::set(0.0), crossing.square);
-        return just;
+        if constexpr (Careful) {
+            const Real rounding = radius * touch;
+            const Mask just = N::both(crossing.square < N::set(0.0), crossing.square >= N::minus(rounding));
+            if (N::rarely(just)) crossing.square = N::select(just, N::set(0.0), crossing.square);
+            return just;
+        } else {
+            closest = N::least(closest, N::abs(crossing.square));
+            return N::never();
+        }
+    }
+
+    template <class Ask>
+    static SNUG_INLINE Mask unless_just(Mask just, Mask exists, const Ask& at_start) {
+        if constexpr (Careful)
+            if (N::rarely(just)) return N::both(exists, N::either(N::opposite(just), at_start().touches()));
+        return exists;
     }
 
     /// A corner of the car meets the upright side of a neighbour, to the right (sign 1) or to the left (sign -1).
@@ -150,7 +173,7 @@ struct First {
     SNUG_INLINE void corner_meets_curb(const SeenCorner<Real>& corner, Real above, Real touch) {
         Crossing<Real> crossing = corner_on_ground<N>(corner, above);
         const Mask just = just_reaches(crossing, corner.radius, touch);
-        Mask exists = crossing.square >= N::set(0.0);
+        const Mask exists = crossing.square >= N::set(0.0);
         if constexpr (N::alone) {
             if (!exists) return;
         }
@@ -160,8 +183,7 @@ struct First {
             const Mask touching = N::both(N::abs(start_y + above) <= touch, start_x > N::set(0.0));
             return AtStart<N>{touching, N::never()};
         };
-        if (N::rarely(just)) exists = N::both(exists, N::either(N::opposite(just), at_start().touches()));
-        consider(root<N>(crossing), exists, at_start, Meets::curb, corner.index);
+        consider(root<N>(crossing), unless_just(just, exists, at_start), at_start, Meets::curb, corner.index);
     }
 
     /// The lowest corner comes down upon a neighbour, whose end at the slot lies `end` to the right of the centre.
@@ -213,9 +235,8 @@ struct First {
             const Mask before = N::both(start_along <= edge.from + touch, edge.slips_back);
             return AtStart<N>{touching, N::either(beyond, before)};
         };
-        Mask exists = N::both(short_of_end, past_start);
-        if (N::rarely(just)) exists = N::both(exists, N::either(N::opposite(just), at_start().touches()));
-        consider(at, exists, at_start, meets, edge.index);
+        const Mask exists = N::both(short_of_end, past_start);
+        consider(at, unless_just(just, exists, at_start), at_start, meets, edge.index);
     }
 
     /// Everything but the edges. `at_curb` is the lowest corner of what stops at the curb.

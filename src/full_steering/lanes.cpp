@@ -171,9 +171,13 @@ struct Constants {
     Frames frames;
     double touch;
     double radius;
+    double rounding = 0.0;  ///< a root's square closer to 0 is looked at carefully [m^2]
 
     explicit Constants(const FullSteering& steering)
-        : frames(steering), touch(steering.problem.touch), radius(steering.problem.radius) {}
+        : frames(steering), touch(steering.problem.touch), radius(steering.problem.radius) {
+        for (const Frames::Number number : {Frames::lowest_radius, Frames::leftmost_radius, Frames::rightmost_radius})
+            for (std::size_t i = 0; i < 4; ++i) rounding = std::max(rounding, frames.table[number][i] * touch);
+    }
 };
 
 HWY_INLINE unsigned bits_of(Mask mask) {
@@ -282,6 +286,9 @@ private:
 /// As many cases as a vector has lanes, each at the start of a move or of the second quarter turn.
 template <class Source>
 class LaneCases {
+    using Quick = First<Lanes, typename Source::Found, false>;
+    using Careful = First<Lanes, typename Source::Found>;
+
 public:
     [[nodiscard]] bool busy() const { return busy_ != 0; }
 
@@ -292,12 +299,10 @@ public:
     /// Takes every lane one quarter turn further. Moves are kept in the rows from `first_row`.
     HWY_INLINE void step(const Constants& constants, std::int64_t limit, Room& room, std::size_t first_row) {
         const Real zero = hn::Zero(reals);
-        const Real touch = hn::Set(reals, constants.touch);
         const Real x = hn::Load(reals, x_);
         const Real y = hn::Load(reals, y_);
         const Real start_c = hn::Load(reals, c_);
         const Real start_s = hn::Load(reals, s_);
-        const Real length = hn::Load(reals, length_);
         const Real width = hn::Load(reals, width_);
         const Integer changes = hn::Load(whole, changes_);
         const Integer quarter = hn::Load(whole, quarter_);
@@ -306,15 +311,9 @@ public:
         const Integer one = hn::Set(whole, 1);
         const Integer odd = hn::And(changes, one);
         const Pick pick(constants.frames, odd + quarter + quarter);
-        const Corner lowest = {pick(Frames::left), pick(Frames::bottom), pick(Frames::lowest_radius),
-                               pick(Frames::lowest_per_square)};
-        const Corner leftmost = {lowest.x, pick(Frames::up), pick(Frames::leftmost_radius),
-                                 pick(Frames::leftmost_per_square)};
-        const Corner rightmost = {pick(Frames::right), lowest.y, pick(Frames::rightmost_radius),
-                                  pick(Frames::rightmost_per_square)};
-
-        First<Lanes, typename Source::Found> first(start_c, start_s, hn::Set(reals, -2.0));
-        first.rectangle_meets(lowest, leftmost, rightmost, lowest, {x, y, length, y + width, y, y, touch});
+        Quick first = contacts<Quick>(constants, pick);
+        if (HWY_UNLIKELY(!hn::AllFalse(reals, first.closest <= hn::Set(reals, constants.rounding))))
+            first = look_again(constants);
         first.settle();
 
         const Real top_x = pick(Frames::top_x);
@@ -374,7 +373,7 @@ public:
             const Real graze_order = pick(Frames::graze_order);
             const Mask sweeps =
                 hn::And(graze_order <= first.start_order, hn::Or(met.is(Meets::curb), not_past(graze_order)));
-            const Real graze = hn::IfThenElse(sweeps, y + width - lowest.radius, not_there);
+            const Real graze = hn::IfThenElse(sweeps, y + width - pick(Frames::lowest_radius), not_there);
             const Real first_graze =
                 hn::IfThenElse(second, hn::IfThenElse(move_starts, not_there, hn::Load(reals, first_graze_)), graze);
 
@@ -434,6 +433,30 @@ public:
     }
 
 private:
+    template <class Contacts>
+    [[nodiscard]] HWY_INLINE Contacts contacts(const Constants& constants, const Pick& pick) const {
+        const Corner lowest = {pick(Frames::left), pick(Frames::bottom), pick(Frames::lowest_radius),
+                               pick(Frames::lowest_per_square)};
+        const Corner leftmost = {lowest.x, pick(Frames::up), pick(Frames::leftmost_radius),
+                                 pick(Frames::leftmost_per_square)};
+        const Corner rightmost = {pick(Frames::right), lowest.y, pick(Frames::rightmost_radius),
+                                  pick(Frames::rightmost_per_square)};
+        const Real y = hn::Load(reals, y_);
+        const Real above_curb = y + hn::Load(reals, width_);
+        Contacts first(hn::Load(reals, c_), hn::Load(reals, s_), hn::Set(reals, -2.0));
+        first.rectangle_meets(
+            lowest, leftmost, rightmost, lowest,
+            {hn::Load(reals, x_), y, hn::Load(reals, length_), above_curb, y, y, hn::Set(reals, constants.touch)});
+        return first;
+    }
+
+    /// Some circle may only just reach a line: all over again, and carefully.
+    HWY_NOINLINE Careful look_again(const Constants& constants) const {
+        const Integer odd = hn::And(hn::Load(whole, changes_), hn::Set(whole, 1));
+        const Integer quarter = hn::Load(whole, quarter_);
+        return contacts<Careful>(constants, Pick(constants.frames, odd + quarter + quarter));
+    }
+
     HWY_INLINE void keep(FullMove& move, std::size_t lane, bool is_stuck, const Constants& constants) const {
         const auto frame = static_cast<std::size_t>((changes_[lane] & 1) + 2 * quarter_[lane]);
         move.meets = static_cast<Meets>(meets_[lane]);
