@@ -191,10 +191,9 @@ function run(snug: Snug, questions: Asker) {
         });
     }
 
-    const near = (obstacles: Obstacle[]) => (pose: Pose) => {
-        const { car } = asked();
-        return nearest(carCorners(car, pose), corners({ ...car, front: car.wheelbase, rear: 0 }, pose), obstacles);
-    };
+    /** The car that is played, whatever is typed meanwhile. */
+    const near = (car: Inputs["car"], obstacles: Obstacle[]) => (pose: Pose) =>
+        nearest(carCorners(car, pose), corners({ ...car, front: car.wheelbase, rear: 0 }, pose), obstacles);
 
     let loaded: unknown = null;
     const load = (key: unknown, played: Parameters<typeof player.load>[0], otherwise?: string) => {
@@ -229,7 +228,7 @@ function run(snug: Snug, questions: Asker) {
         const end = inputs.way === "out" && !scene ? "Out" : "Parked";
         const parked = found && found.moves.length === 0;
         if (state.exact || state.lookedAt === state.pose)
-            load(shown, shown && way && { car, maneuver: shown, track: way, mirrored: false, end, near: near(obstaclesOf(state.scene)) }, parked ? end : undefined);
+            load(shown, shown && way && { car, maneuver: shown, track: way, mirrored: false, end, near: near(car, obstaclesOf(state.scene)) }, parked ? end : undefined);
         if (!shown || (!state.exact && state.lookedAt !== state.pose)) street.showCar(state.pose, 0);
         parking.again();
         sayPark(inputs, state, swept?.current ? swept : null);
@@ -271,7 +270,7 @@ function run(snug: Snug, questions: Asker) {
             { corners: box(-far, far, -far, -width), low: inputs.curb === "low", name: "curb" },
         ];
         const end = run && run.outcome !== "parked" ? "Stuck" : "Parked";
-        load(shown, shown && way ? { car, maneuver: shown, track: way, mirrored: side === "left", end, near: near(obstacles) } : null);
+        load(shown, shown && way ? { car, maneuver: shown, track: way, mirrored: side === "left", end, near: near(car, obstacles) } : null);
         if (!shown) drawing.showCar(entryPose(car, length, heading, forward, clearance), 0);
         sayAnswer(snug, asked(), answers, shown, run);
         sayHeading(asked(), answers, shown, run, heading);
