@@ -97,7 +97,7 @@ std::string standing_verdict(const Case& asked, const snug::RollingManeuver& way
 /// In a soak 500 places. SNUG_FIRST=I begins with the place I and SNUG_CASES=N ends after N. The table is that of docs/driving.md.
 TEST(Rolling, ParksWithoutSteeringAtStandstillAndTouchesNothing) {
     const std::uint64_t first = snug::test::number("SNUG_FIRST", 0);
-    const std::uint64_t last = first + snug::test::number("SNUG_CASES", std::uint64_t(snug::test::sample(6, 500, 1)));
+    const std::uint64_t last = first + snug::test::number("SNUG_CASES", std::uint64_t(snug::test::sample(6, 500, 3)));
     struct Row {
         int posed = 0, none = 0, stands = 0;
         std::array<int, 4> more = {};  // direction changes than with steering at standstill; 3: and more
@@ -151,7 +151,9 @@ TEST(Rolling, ParksWithoutSteeringAtStandstillAndTouchesNothing) {
         if (ways > 0) std::printf("  %16.2f, %8.2f", row.changes / ways, row.standing_changes / ways);
         std::puts("");
     }
-    EXPECT_GT(2 * found, posed);
+    if (posed >= 5) {  // of fewer the share says nothing
+        EXPECT_GT(2 * found, posed);
+    }
 }
 
 /// A way from wheels that are turned already, on a map made before, begins with them.
