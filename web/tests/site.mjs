@@ -32,9 +32,10 @@ export const follow = async (page, hash) => {
     await page.evaluate(
         (to) =>
             new Promise((done) => {
-                if (location.hash === to) return done();
+                const before = location.href;
                 window.addEventListener("hashchange", () => done(), { once: true });
                 location.hash = to;
+                if (location.href === before) done(); // the same, perhaps written otherwise: nothing happens
             }),
         hash,
     );
