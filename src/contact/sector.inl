@@ -230,7 +230,10 @@ struct First {
             const Real start_y = gy * start_c - gx * start_s;
             const Real start_off = normal.out(start_x, start_y);
             const Real start_along = N::minus(normal.right(start_x, start_y));
-            const Mask touching = N::both(N::abs(start_off - edge.distance) <= touch, start_along > N::set(0.0));
+            // A point that the edge only just reaches is on it where it is farthest from the centre: either way it goes in.
+            Mask closes = start_along > N::set(0.0);
+            if constexpr (Careful) closes = N::either(closes, just);
+            const Mask touching = N::both(N::abs(start_off - edge.distance) <= touch, closes);
             const Mask beyond = N::both(start_along >= edge.to - touch, edge.slips_on);
             const Mask before = N::both(start_along <= edge.from + touch, edge.slips_back);
             return AtStart<N>{touching, N::either(beyond, before)};

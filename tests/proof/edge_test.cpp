@@ -153,5 +153,33 @@ TEST(Edges, ATangentialStartIsStuckWhereItWouldMoveIn) {
     }
 }
 
+/// The front neighbour's corner touches the front edge where it is farthest from the next move's centre: either way it would go
+/// in, so the car is stuck. The search had taken rounding for a way out there, and claimed what was left over of its range.
+TEST(Edges, ATangentialStartOfACornerOnAnEdgeIsStuck) {
+    const Edge at = {
+        {2.0656051081568485, 2.138844359110638, 0.6387797093945397, 1.0099549575648203, 0.7779552191592287},
+        3.4838812703413926,
+        3.738952148122163};
+    const snug::Car car(at.car);
+    const snug::Slot slot({.length = at.length, .width = at.width});
+    for (const double about : {0.6003980913204158, 0.6003980911331, 0.6523632612307})
+        for (int i = -1000; i <= 1000; ++i)
+            EXPECT_NE(max_steer(car, slot, about + i * 1e-13, {.max_changes = 10}).outcome, snug::Outcome::parked)
+                << line(at, about + i * 1e-13, 10);
+    snug::EntryOptions options;
+    options.max_changes = 10;
+    const snug::Answer answer = entry(car, slot, options);
+    EXPECT_EQ(answer.direction_changes, 7);
+    Runs tally;
+    for (const snug::HeadingRange& range : answer.ranges)
+        for (int i = 0; i <= 20; ++i) compare(at, answer, range.min + (range.max - range.min) * i / 20.0, 10, tally);
+    for (const snug::HeadingRange& range : answer.ranges) {
+        const double middle = range.min + 0.5 * (range.max - range.min);
+        const snug::MaxSteerRun run = max_steer(car, slot, middle, {.max_changes = 10});
+        ASSERT_EQ(run.outcome, snug::Outcome::parked) << line(at, middle, 10);
+        EXPECT_EQ(run.maneuver.direction_changes(), range.direction_changes) << line(at, middle, 10);
+    }
+}
+
 }  // namespace
 }  // namespace oracle

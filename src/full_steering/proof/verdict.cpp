@@ -117,6 +117,15 @@ void settle(const SingleRuns& runs, std::vector<CountedHeadings>& found, const P
             });
         if (!at_an_end) undecided.push_back({min, max});
     };
+    // What corrections on both sides left over of a range, inside a sliver, is none unless a run shows it.
+    std::vector<CountedHeadings> leftovers;
+    std::erase_if(found, [&](const CountedHeadings& range) {
+        if (range.max - range.min > one_subrange) return false;
+        if (runs.changes_from(0.5 * (range.min + range.max), range.changes) == range.changes) return false;
+        leftovers.push_back(range);
+        return true;
+    });
+    for (const CountedHeadings& range : leftovers) leave_open(range.min, range.max);
     for (const Sliver& sliver : proved.undecided) leave_open(sliver.min, sliver.max);
     for (const CountedHeadings& range : proved.ranges)
         if (range.max - range.min <= one_subrange) leave_open(range.min, range.max);
