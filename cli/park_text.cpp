@@ -273,8 +273,8 @@ std::string park_text(const ParkQuestion& question, const RollingAnswer& answer)
                                    (answer.cancelled ? "in the time given " : "") +
                                    "that steers only while it rolls.\n";
         if (!answer.standing) return begins + "With steering at standstill none is known either.\n";
-        return begins + "With steering at standstill " + changes(answer.standing->direction_changes()) + " will do.\n" +
-               where_it_steers(question, *answer.standing);
+        return begins + "With steering at standstill " + changes(answer.standing->direction_changes()) +
+               " will do; fewer may.\n" + where_it_steers(question, *answer.standing);
     }
     const RollingManeuver& maneuver = *answer.maneuver;
     const int more = maneuver.direction_changes() - answer.standing_changes.value_or(maneuver.direction_changes());

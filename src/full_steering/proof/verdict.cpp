@@ -28,8 +28,16 @@ void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found
         for (; next < end; ++next) noise.push_back({found[next].min, found[next].max});
     };
     for (const Chain& chain : chains(found, never, resolvable_range)) {
-        leave_out(chain.first);
-        for (; next <= chain.last; ++next) {
+        // Splinters at the ends of several are what rounding made of the ends, or all there is: then nothing is sure.
+        const auto splinter = [&](std::size_t i) { return found[i].max - found[i].min <= one_subrange; };
+        std::size_t first = chain.first;
+        std::size_t last = chain.last;
+        if (first < last) {
+            while (first <= last && splinter(first)) ++first;
+            while (first < last && splinter(last)) --last;
+        }
+        leave_out(first);
+        for (; next <= last; ++next) {
             const CountedHeadings& range = found[next];
             if (runs.changes_from(0.5 * (range.min + range.max), range.changes) == range.changes) {
                 left.push_back(range);
