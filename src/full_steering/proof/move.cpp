@@ -148,11 +148,18 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
     std::array<Met, 5> order = {asked_first, static_cast<Met>((asked_first + 1) % 3),
                                 static_cast<Met>((asked_first + 2) % 3)};
     std::size_t asked = 3;
+    Failure untold;  // of the first of them
+    bool as_untold = false;  // and `until` is as it was then
     Meeting& meeting = meeting_;
     const BluntErrors errors(steering, state);
     BluntMove blunt = {errors, errors.at(state.start), errors.at(until)};
     for (std::size_t i = 0; i < asked; ++i) {
         const Met met = order[i];
+        if (i == 3 && as_untold) {
+            outcome.what = Outcome::undecided;
+            outcome.failure = untold;
+            return met == curb && untold.grazes ? After::grazed : After::ended;
+        }
         if (graze != nullptr && meets_curb && met == curb) {
             meeting.what = Meeting::contact;
             meeting.at = graze->at;
@@ -166,6 +173,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
         if (meeting.what == Meeting::never) continue;
         if (meeting.what == Meeting::stuck) return After::ended;  // no entry, or stuck for good
         if (meeting.what == Meeting::undecided && i < 2) {
+            if (asked == 3) untold = meeting.failure, as_untold = true;
             order[asked++] = met;
             continue;
         }
@@ -176,6 +184,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
         }
         if (!contact) {
             contact = true;
+            as_untold = false;
             until = meeting.at;
             blunt.until = errors.at(until);
             touched[met] = meeting.touched;
@@ -185,6 +194,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
         const Form other = off_from(until, meeting.at);
         const Form apart = until.off - other;
         if (apart.positive()) continue;
+        as_untold = false;
         if (apart.negative()) {
             for (Touched& one : touched) one.count = 0, one.exact = false;
             touched[met] = meeting.touched;
