@@ -33,7 +33,8 @@ Outcome Driver::follow(int n) {
         if ((n == start || n == 1 || n % 4 == 0) && n > 0 && jams(n, outcome)) return outcome;
         const After after = mover_.move(trail_[at], trail_[at + 1], outcome);
         if (after == After::moved) continue;
-        if (outcome.what == Outcome::undecided && narrow_) {
+        const bool some_park = outcome.failure.parking && changes_sign(outcome.failure.quantity);
+        if (outcome.what == Outcome::undecided && narrow_ && !some_park) {
             for (int k = start; k <= n; ++k)
                 if (jams(k, outcome, true)) return outcome;
         }

@@ -214,6 +214,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
     if (parked.what == Meeting::undecided) {
         outcome.what = Outcome::undecided;
         outcome.failure = parked.failure;
+        outcome.failure.parking = parked.failure.kind == Failure::at_root;
         return After::ended;
     }
     if (parked.what == Meeting::contact) {  // unless what stops the car comes first
@@ -225,6 +226,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
         if (!before.negative()) {
             outcome.what = Outcome::undecided;
             outcome.failure = at_root_of(before);
+            outcome.failure.parking = true;
             return After::ended;
         }
     }

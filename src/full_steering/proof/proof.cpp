@@ -94,6 +94,10 @@ private:
                 note_undecided(box, 0);
                 continue;
             }
+            if (box.ends_in >= 0) {
+                note_undecided(box, box.ends_in);
+                continue;
+            }
             const Outcome outcome = driver_.look(box, limit_);
             switch (outcome.what) {
                 case Outcome::none:

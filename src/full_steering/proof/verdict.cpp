@@ -51,8 +51,8 @@ void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found
 }
 
 ProofHints hints_from(const std::vector<CountedHeadings>& found, int changes) {
-    // Beside the end of a range every box may be so wide, and no wider, that its square is as narrow as the one before.
-    constexpr std::array beside = {1.5e-12, 1e-7, 1e-4};
+    // Around the end of a range one box in which all is straight: it is cut at the end, and its parts need the last move only.
+    constexpr std::array beside = {1e-4, 1e-2};
     constexpr double end = 1.57079632679489661923;
     ProofHints hints{changes, {}};
     for (const int i : {1, 2, 3, 4, 5, 6, 8, 11}) hints.headings.push_back(end * i / 16);
