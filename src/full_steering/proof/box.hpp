@@ -82,7 +82,9 @@ struct Failure {
 };
 
 /// Does a quantity have both signs in the box, for sure?
-inline bool changes_sign(const Form& quantity) { return std::abs(quantity.mid) + quantity.noise() < std::abs(quantity.along); }
+inline bool changes_sign(const Form& quantity) {
+    return std::abs(quantity.mid) + quantity.noise() < std::abs(quantity.along);
+}
 
 inline Failure at_root_of(const Form& quantity) {
     Failure failure;

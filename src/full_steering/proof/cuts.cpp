@@ -4,7 +4,7 @@ namespace snug::detail::proof {
 
 namespace {
 
-constexpr double narrowest = 1e-13;   ///< boxes are not cut further [rad]
+constexpr double narrowest = 1e-13;     ///< boxes are not cut further [rad]
 constexpr double end_of_range = 4e-12;  ///< that need not be known better [rad]
 
 bool straight(const State& state, double ratio, double radius) {
@@ -87,7 +87,7 @@ bool hopeless(const Box& box, const Failure& failure) {
     const Form& quantity = failure.quantity;
     const double noise = quantity.noise();
     return (box.max - box.min < end_of_range && std::abs(quantity.along) < 2.0 * noise) ||
-           (box.max - box.min < 1e-10 && std::abs(quantity.along) < 0.1 * noise && std::abs(quantity.mid) < noise);
+           (box.max - box.min < 5e-11 && std::abs(quantity.along) < 0.1 * noise && std::abs(quantity.mid) < noise);
 }
 
 }  // namespace snug::detail::proof

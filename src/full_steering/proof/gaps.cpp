@@ -80,6 +80,7 @@ bool root_beside_peak(const Condition& of, const State& state, bool begins, doub
     if (!(least > 0.0 && most < 1.0 && most > least * 1.01)) return false;
     const double least_angle = angle_beside_peak(least);
     const double most_angle = angle_beside_peak(most);
+    if (!(most_angle - least_angle > 1e-7)) return false;  // a straight line does, and angles are not that exact
     const double steep = (most_angle - least_angle) / (most - least);
     // The tangent is as steep as the chord, nearly, where the root is the mean of the two.
     const double root = 0.5 * (std::sqrt(least) + std::sqrt(most));

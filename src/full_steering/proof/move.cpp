@@ -148,7 +148,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
     std::array<Met, 5> order = {asked_first, static_cast<Met>((asked_first + 1) % 3),
                                 static_cast<Met>((asked_first + 2) % 3)};
     std::size_t asked = 3;
-    Failure untold;  // of the first of them
+    Failure untold;          // of the first of them
     bool as_untold = false;  // and `until` is as it was then
     Meeting& meeting = meeting_;
     const BluntErrors errors(steering, state);
