@@ -96,7 +96,7 @@ inline double size_of(const std::vector<Point>& corners) {
     return size;
 }
 
-/// Seen from a centre `offset` to the left of the middle of the rear axle: the turning radius, or its negative to the right.
-Steering steering_about(const ProofProblem& problem, double offset);
+/// Backward, about the centre on the left, and forward, about the one on the right.
+std::array<Steering, 2> steerings(const ProofProblem& problem);
 
 }  // namespace snug::detail::proof

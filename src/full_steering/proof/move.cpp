@@ -69,8 +69,7 @@ static void turn_over(State& state, const HeadingForm& at, double across) {
 
 Mover::Mover(const ProofProblem& problem, int max_changes)
     : problem_(problem),
-      backward_(steering_about(problem, problem.radius)),
-      forward_(steering_about(problem, -problem.radius)),
+      steerings_(steerings(problem)),
       steepest_(steepest_parked(problem)),
       sinking_(problem, steepest_),
       jam_(problem),
@@ -121,7 +120,7 @@ State Mover::enter(const Starts& starts) const {
     state.start.off = {0.0, 0.0, 0.0, 0.0, state.start.off.span()};
     state.first = false;
     // The point that would touch the corner is no farther ahead and no lower, so that condition does not hold.
-    const std::vector<Stage>& stages = backward_.of[front].stages;
+    const std::vector<Stage>& stages = steerings_[0].of[front].stages;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const double end = i + 1 < stages.size() ? stages[i + 1].angle : stages[0].angle - 2.0 * pi;
         if (stages[i].entry_condition < 0 || starts.heading > stages[i].angle + 4.0 * angle_error ||
@@ -135,7 +134,7 @@ State Mover::enter(const Starts& starts) const {
 After Mover::move(const State& state, State& then, Outcome& outcome, const Failure* graze, bool meets_curb) {
     if (sinking_.too_high(state)) return After::ended;
     ++moves_;
-    const Steering& steering = state.backward ? backward_ : forward_;
+    const Steering& steering = steerings_[state.backward ? 0 : 1];
     // What the box before met in this move is asked first.
     Met& likely = likely_[static_cast<std::size_t>(outcome.move)];
     const Met asked_first = likely;
