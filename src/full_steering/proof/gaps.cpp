@@ -43,12 +43,16 @@ Gap gap_of(const Condition& of, const State& state, double c, double s) {
     return gap;
 }
 
-bool heading_of(Crossing<double> crossing, bool begins, double& c, double& s) {
-    const double square = crossing.a * crossing.a + crossing.b * crossing.b;
-    const double radius = std::sqrt(square);
+bool heading_of(const Condition& of, Crossing<double> crossing, bool begins, double& c, double& s) {
+    double radius = of.radius;
+    crossing.per_square = of.per_square;
+    if (of.kind == Condition::inside) {
+        const double square = crossing.a * crossing.a + crossing.b * crossing.b;
+        radius = std::sqrt(square);
+        crossing.per_square = 1.0 / square;
+    }
     crossing.square = (radius - crossing.d) * (radius + crossing.d);
     if (!(crossing.square > 0.0)) return false;
-    crossing.per_square = 1.0 / square;
     if (!begins) crossing.b = -crossing.b;  // where it ends, its mirror image begins
     const Root<double> at = root<Plain<double>>(crossing);
     c = at.c;
@@ -104,15 +108,19 @@ bool root_beside_peak(const Condition& of, const State& state, bool begins, doub
 }  // namespace
 
 bool root_of(const Condition& of, const State& state, bool begins, double reference, HeadingForm& found) {
-    const Crossing<double> crossing = crossing_of(of, state);
-    if (!heading_of(crossing, begins, found.c, found.s) || !make_unit(found.c, found.s)) return false;
+    return heading_of(of, crossing_of(of, state), begins, found.c, found.s) &&
+           root_at(of, state, begins, reference, found);
+}
+
+bool root_at(const Condition& of, const State& state, bool begins, double reference, HeadingForm& found) {
+    if (!make_unit(found.c, found.s)) return false;
     const Gap gap = gap_of(of, state, found.c, found.s);
     if (begins != (gap.slope < 0.0)) return false;
     const double wide = gap.value.size();
     const double bend = std::abs(gap.bend) + gap.bend_error;
     const double steep = std::abs(gap.slope) - gap.slope_error;
     const double inner = steep * steep - 4.5 * bend * wide;
-    if (!(steep > 0.0 && inner > 0.9 * steep * steep)) {
+    if (!(steep > 0.0 && inner > 0.5 * steep * steep)) {
         if (root_beside_peak(of, state, begins, reference, found)) return true;
         if (!(steep > 0.0 && inner > 0.0)) return false;
     }

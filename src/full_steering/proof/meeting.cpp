@@ -315,12 +315,13 @@ private:
             const Crossing<double> crossing = crossing_of(condition, state_);
             if ((told.fail_first & bit) == 0 && !Rough(condition, crossing, state_, from).fails()) continue;
             double c = 0.0, s = 0.0;
-            if (!heading_of(crossing, true, c, s)) return -1;
+            if (!heading_of(condition, crossing, true, c, s)) return -1;
             if (begins != stage.last && best_s * c - best_c * s < 0.0) continue;  // another one begins later
             begins = i, best_c = c, best_s = s;
         }
         if (begins == stage.last) return -1;
-        if (!root_of(obstacle_.conditions[begins], state_, true, from.angle, met.at)) return -1;
+        met.at.c = best_c, met.at.s = best_s;
+        if (!root_at(obstacle_.conditions[begins], state_, true, from.angle, met.at)) return -1;
         if (!difference(from, met.at).positive()) return -1;
         // Beyond the end of the move another obstacle stops the car all the same.
         bool late = false;
