@@ -42,6 +42,22 @@ TEST(Fleet, TheKnownCarsReadBackAsTheyArePrinted) {
     }
 }
 
+TEST(Fleet, ShowsWhatWasUnderstood) {
+    const Folder folder;
+    const std::string file = folder.with("two.csv",
+                                         "name,length,width,wheelbase,rear_overhang,curb_to_curb\n"
+                                         "van,5.413,2.05,3.45,1.015,12.5\nsmall,3.595,1.595,2.4,0.52,9.6\n");
+    const Result text = run("cars " + file);
+    EXPECT_EQ(text.exit_code, 0) << text.err;
+    EXPECT_NE(text.out.find("\nvan    2.050  4.398  1.015      3.450       39.5    4.187   12.500   5.413\n"),
+              std::string::npos)
+        << text.out;
+    EXPECT_EQ(Json::parse(run("cars --format json " + file).out).size(), 2U);
+    const std::string again = run("cars --format csv " + file).out;
+    EXPECT_EQ(run("cars --format csv " + folder.with("again.csv", again)).out, again);
+    expect_refusal(run("cars " + folder.with("no.csv", "name,width\na,1.8\n")), {"no.csv", "wheelbase"});
+}
+
 TEST(Fleet, AnyCarReadsBackFromAllItsColumns) {
     const Folder folder;
     for (const char* car :
