@@ -108,10 +108,13 @@ private:
                     note_range(box, outcome.move);
                     break;
                 case Outcome::undecided:
-                    if (hopeless(box, outcome.failure)) {
-                        note_undecided(box, outcome.move);
-                    } else {
+                    if (!hopeless(box, outcome.failure)) {
                         cut(box, outcome, driver_, problem_.radius, boxes_);
+                    } else if (box.driven > 0) {  // what it inherits of a wider box may be all there is in its way
+                        box.driven = 0;
+                        boxes_.push_back(box);
+                    } else {
+                        note_undecided(box, outcome.move);
                     }
                     break;
             }

@@ -164,7 +164,10 @@ void settle(const SingleRuns& runs, std::vector<CountedHeadings>& found, const P
     // What corrections on both sides left over of a range, inside a sliver, is none unless a run shows it.
     std::vector<CountedHeadings> leftovers;
     std::erase_if(found, [&](const CountedHeadings& range) {
-        if (range.max - range.min > one_subrange) return false;
+        const bool in_sliver = std::any_of(proved.undecided.begin(), proved.undecided.end(), [&](const Sliver& sliver) {
+            return sliver.min <= range.min && range.max <= sliver.max;
+        });
+        if (range.max - range.min > one_subrange && !in_sliver) return false;
         if (runs.changes_from(0.5 * (range.min + range.max), range.changes) == range.changes) return false;
         leftovers.push_back(range);
         return true;
