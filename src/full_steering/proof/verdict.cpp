@@ -12,12 +12,17 @@
 namespace snug::detail {
 
 std::optional<int> SingleRuns::changes_from(double heading, int most) const {
-    const int changes = direction_changes_alone(steering, heading, most);
+    const auto changes_in = [&](const FullSteering& in) {
+        const FullSteeringRun at_entry(in, heading);
+        if (!is_possible(in.problem, in.entry, heading, at_entry.heading().c, at_entry.heading().s)) return -1;
+        return direction_changes_alone(in, heading, most);
+    };
+    const int changes = changes_in(steering);
     for (const double more : {steering.problem.touch, -steering.problem.touch}) {
         FullSteering other = steering;
         other.problem.length += more;
         other.problem.width += more;
-        if (direction_changes_alone(other, heading, most) != changes) return std::nullopt;
+        if (changes_in(other) != changes) return std::nullopt;
     }
     return changes;
 }
