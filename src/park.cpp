@@ -80,8 +80,11 @@ bool holds_nothing(const detail::sets::Limits& limits) {
 }
 
 /// Throws Error when the car would have room to park if it were not for the obstacles: then nobody meant the goal to be there.
-/// (A clearance that leaves no room is another matter.)
-void check_goal(const Car& car, const Place& place, const Pose& start, double h) {
+/// (A clearance that leaves no room is another matter, be it to one obstacle alone.)
+void check_goal(const Car& car, const Place& asked, const Pose& start, double h) {
+    PlaceDescription bare{asked.obstacles(), asked.parked(), asked.region()};
+    for (PlaceObstacle& obstacle : bare.obstacles) obstacle.clearance.reset();
+    const Place place(std::move(bare));
     Chart chart;
     ChartPlace here = chart_place(car, place, start, 0.0, chart);
     const auto room = [&] { return !holds_nothing(OuterLattice(here, h, h, nullptr, [] {}).parked()); };

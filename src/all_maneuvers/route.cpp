@@ -53,7 +53,8 @@ std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& ch
             }
             const double most = std::max({left_room, right_room, across_room});
             if (room_here >= 0.0 && (room_here > enough_room || most <= room_here + worth_a_step)) break;
-            if (most < 0.0) return {};
+            if (most <= -1.0 && room_here > -1.0) break;
+            if (most <= -1.0) return {};
             if (left_room >= right_room && left_room >= across_room) {
                 add_step(lattice, way, pose, at.column, left, direction);
                 at = to_left;
