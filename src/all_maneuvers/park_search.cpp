@@ -467,7 +467,9 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
             std::optional<Left> left;
             while (!left && !bounds.meet() && bounds.lower <= question.max_changes) {
                 left = left_for(bounds.lower, h);
-                if (!left) ++bounds.lower;
+                if (left) continue;
+                ++bounds.lower;
+                bounds.spacing = h;
             }
             if (!left) break;
             bounds.spacing = h;
