@@ -3,13 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "process.hpp"
+#include "questions.hpp"
 #include "snug/io.hpp"
 
 namespace snug::test {
 namespace {
 
-const std::string zoe = "entry --car renault-zoe --length 5 --width 2 ";
 const std::string too_small = "entry --car renault-zoe --extra-length -0.1 --width 2 ";
 
 /// Questions of every kind that a car can answer by parking.
@@ -25,24 +24,7 @@ const std::vector<std::string> parkable = {
     zoe + "--strategy parallel-trials --goal=-4.1,-1,0",
 };
 
-std::vector<std::string> keys(const Json& object) {
-    std::vector<std::string> all;
-    for (const auto& item : object.items()) {
-        all.push_back(item.key());
-    }
-    return all;
-}
-
 using Keys = std::vector<std::string>;
-
-std::vector<std::string> lines(const std::string& text) {
-    std::istringstream stream(text);
-    std::vector<std::string> all;
-    for (std::string line; std::getline(stream, line);) {
-        all.push_back(line);
-    }
-    return all;
-}
 
 TEST(Entry, JsonEchoesWhatIsNotAsUsual) {
     for (const std::string strategy : {"max-steer", "fewest"}) {
@@ -183,6 +165,21 @@ TEST(Entry, CsvHasOneRowPerRange) {
     }
 }
 
+TEST(Entry, CsvHasTheMovesOfTheManeuverOnDemand) {
+    const Result csv = run(zoe + "--format csv --view maneuver");
+    const std::vector<std::string> rows = lines(csv.out);
+    const Json moves = Json::parse(run(zoe + "--format json").out)["maneuver"]["moves"];
+    ASSERT_EQ(rows.size(), moves.size() + 1);
+    EXPECT_EQ(rows[0].substr(0, 31), "direction,steering_angle,length");
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        const std::string begin = moves[i]["direction"].get<std::string>() + ',' + moves[i]["steering_angle"].dump() +
+                                  ',' + moves[i]["length"].dump() + ',';
+        EXPECT_EQ(rows[i + 1].substr(0, begin.size()), begin);
+    }
+    EXPECT_EQ(run(zoe + "--format csv --view entries").out, run(zoe + "--format csv").out);
+    EXPECT_EQ(lines(run(too_small + "--format csv --view maneuver").out).size(), 1U);
+}
+
 TEST(Entry, TextFitsEightyColumns) {
     for (const std::string& question : parkable) {
         const Result result = run(question);
@@ -293,6 +290,9 @@ TEST(Entry, ANoNamesTheWayOut) {
     }
     const Result small = run("entry --car renault-zoe --length 4 --width 2");
     EXPECT_NE(way_out(small.out, "a longer slot"), "") << small.out;
+    const std::string any = way_out(small.out, "any maneuver");
+    EXPECT_NE(any.find("--strategy fewest"), std::string::npos) << small.out;
+    EXPECT_EQ(run("entry --car renault-zoe --width 2 " + any).exit_code, 0) << any;
     EXPECT_NE(small.out.find("No other maneuver parks either"), std::string::npos) << small.out;
     const Result keeping = run("entry --car renault-zoe --length 4.2 --width 2 --clearance 0.1 --strategy fewest");
     EXPECT_NE(keeping.out.find("too short for the car with its clearance"), std::string::npos) << keeping.out;
