@@ -128,7 +128,7 @@ Turning turning(const Blocker& behind, const Blocker& ahead, double enough, bool
 /// Is it worth asking? The last turns, and how they shrink or grow, say roughly how much turning is to come.
 bool promising(const State& state, double far, int moves) {
     const auto [last, before, earlier] = state.turned;
-    if (before == infinity) return last == infinity || last < 0.125 * far;
+    if (before == infinity) return last == infinity || last < 0.06 * far;
     const double ratio = earlier < infinity ? last / earlier : 0.5;
     const double enough = (ratio < 1.0 ? 0.7 : 0.1) * far;
     double pair = last + before;
