@@ -83,6 +83,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             listener.changed();
         },
         seen: ({ pose, slice }, { bounds, way, counts }) => {
+            if (!map.state()?.near) return; // of a place that was left
             state.trouble = "";
             // While the car is dragged, one map says all: no count jumps to and fro.
             const stays = listener.busy() && map.state()?.own;
@@ -177,7 +178,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             // Out of a bay: the map covers headings from the car's to the road's.
             const heading = goalOf(inputs) === "road" && "heading" in scene.parked ? { heading: scene.parked.heading } : {};
             map.set({ ...its, options: { ...its.options, ...heading } });
-            Object.assign(state, { bounds: null, lookedAt: null });
+            Object.assign(state, { bounds: null, way: null, lookedAt: null }, map.state()?.near ? {} : { painted: null });
         }
         asked = question;
         wanted = inputs;

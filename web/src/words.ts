@@ -63,6 +63,7 @@ export function sayPark(snug: Snug, inputs: Inputs, { bounds, exact, proved: bef
     setText(byId("stands-note"), `${inputs.scene ? `Turned ${turned}.` : `${turned} to the street.`} ${inputs.pose ? "" : "Drag the car anywhere."}`);
     set(byId("usual"), { hidden: inputs.pose ? null : "" });
 
+    const ago = "Of a moment ago; the street is being swept.";
     const range = (low: number, high?: number) => (high === undefined ? `≥ ${low}` : low === high ? String(high) : `${low} – ${high}`);
     if (!map) setText(byId("map-says"), "…");
     else if (!bounds) setText(byId("map-says"), "–");
@@ -85,14 +86,17 @@ export function sayPark(snug: Snug, inputs: Inputs, { bounds, exact, proved: bef
     else if (trouble) say("No answer", "open", "–", "", sentence(trouble));
     else if (bounds?.where === "outside") say("Beyond the map", "open", "…", "", "It covers headings within 80° of the middle between the street’s and the parked one. Searching from here alone.");
     else if (!bounds) say("Computing", "open", "…", "direction changes", "The street is being swept.");
-    else if (bounds.impossible) say(fitsNot!, "not", "∅", "no way", short || "Proved by the map: no number of changes will do.");
+    else if (bounds.impossible) say(fitsNot!, "not", "∅", "no way", short || (map ? "Proved by the map: no number of changes will do." : ago));
     else {
-        const low = Math.max(bounds.lower_bound, soFar?.lower_bound ?? 0);
-        const high = Math.min(bounds.direction_changes ?? Infinity, soFar?.direction_changes ?? Infinity);
+        // What the search found is of this place, what the map of a moment ago says may not be.
+        const search = map ? soFar : null;
+        const low = Math.max(bounds.lower_bound, search?.lower_bound ?? 0);
+        const high = Math.min(bounds.direction_changes ?? Infinity, search?.direction_changes ?? Infinity);
         const known = high < Infinity ? high : undefined;
         const word = known === undefined ? "Searching" : fits!;
-        const note =
-            low === known
+        const note = !map
+            ? ago
+            : low === known
                 ? "Proved: no maneuver has fewer."
                 : known === undefined
                   ? "No way is known yet. The search from here goes on."

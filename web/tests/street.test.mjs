@@ -302,6 +302,28 @@ test("links: the street's come back whole, the old ones open as they were, bad o
     const one = await inputs(page);
     const again = await site.page({ path: hash });
     assert.deepEqual(await inputs(again), one);
+    // Of another place nothing is said that was known of the last one.
+    const said = await again.evaluate(
+        (links) =>
+            new Promise((done) => {
+                const said = [];
+                const { parking, map } = window.snugPage;
+                const watch = () => {
+                    const known = map.state()?.current || parking.proved || parking.exact;
+                    said.push([document.getElementById("count").textContent, !known && (parking.bounds || parking.way || parking.painted) ? "of the last" : ""]);
+                    if (said.length % 12 === 0) location.hash = links.shift() ?? location.hash;
+                    if (links.length === 0 && map.state()?.current) done(said);
+                    else requestAnimationFrame(watch);
+                };
+                requestAnimationFrame(watch);
+            }),
+        ["#mode=street&angle=90&length=5&width=2.5", "#mode=street&length=5.4", "#mode=street&length=4.9&side=left", "#mode=street&angle=60&length=5&width=2.6", hash],
+    );
+    for (const [count, of] of said) {
+        const [low, high] = count.split(" – ").map(Number);
+        assert.ok(high === undefined || low < high, count);
+        assert.equal(of, "");
+    }
     await follow(again, "#car=renault-zoe&length=4.5&width=2");
     assert.equal((await inputs(again)).mode, "entry");
     assert.equal(await text(again, "count"), "18");
@@ -373,6 +395,7 @@ test("what was wrong: headlines, commands, maps, slots and pictures say what is"
 
 test("the car by keyboard alone: everything is reached, arrows move it, full stop and comma turn it", async () => {
     const page = await site.page();
+    await mapped(page); // there is something to play
     const reached = await reachedByTab(page, "save-csv");
     for (const what of ["mode", "car", "turn", "rear", "front", "curb", "far", "play", "kind", "angle", "road", "side", "way", "enter", "x", "y", "clearance", "scene-file", "show-map", "tracks", "save-csv"])
         assert.ok(reached.has(what), `${what} is not reached: ${[...reached].join(", ")}`);
