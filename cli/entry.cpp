@@ -84,9 +84,11 @@ struct Asked {
               pose)),
           output(options),
           draw(draw_option(options)),
-          view(options.choice<View>("--view", "VIEW",
-                                    "What to draw: maneuver (default), or entries: all\nentry positions.",
-                                    {{"maneuver", View::maneuver}, {"entries", View::entries}})),
+          view(options.choice<View>(
+              "--view", "VIEW",
+              "What to draw: maneuver (default), or entries: all\nentry positions. With --format csv what to write:\n"
+              "entries (default), or maneuver: its moves.",
+              {{"maneuver", View::maneuver}, {"entries", View::entries}})),
           waypoints(options),
           trajectory(options),
           threads(threads_option(options)) {}
@@ -157,14 +159,14 @@ std::string drawn(const PictureFile& picture, View view, const EntryQuestion& qu
 
 /// Where the strategy cannot park, what can; where it can, and a person reads the answer, whether other maneuvers have fewer
 /// changes.
-std::string written(Format format, const EntryQuestion& question, const Answer& answer) {
+std::string written(Format format, std::optional<View> view, const EntryQuestion& question, const Answer& answer) {
     const bool no = !answer.cancelled && !answer.parkable();
     std::optional<StartTolerance> tolerance;
     if (!question.baseline && format != Format::csv)
         tolerance = start_tolerance(question.car, question.slot, answer, question.options);
     switch (format) {
         case Format::json: return entry_json(question, answer, no ? any_maneuver(question) : std::nullopt, tolerance);
-        case Format::csv: return entry_csv(answer);
+        case Format::csv: return view == View::maneuver ? moves_csv(answer) : entry_csv(answer);
         case Format::text: break;
     }
     const std::string text = entry_text(question, answer, tolerance);
@@ -181,22 +183,23 @@ struct Files {
         : route(waypoints_file(asked.waypoints, asked.draw, asked.output.file)),
           timed(trajectory_file(asked.trajectory, asked.waypoints.file, asked.draw, asked.output.file)),
           picture(picture_file(asked.draw, asked.output)),
-          view(asked.view.value_or(View::maneuver)),
           path(asked.output.path()) {
-        refuse_without(asked.draw, asked.view);
+        if (asked.view) view = *asked.view;
+        if (asked.output.format() != Format::csv) refuse_without(asked.draw, asked.view);
     }
 
     void write(const EntryQuestion& question, const Answer& answer, const std::string& text) const {
         if (route) write_file("--waypoints", route->path, cli::written(*route, answer.maneuver));
         if (timed) write_file("--trajectory", timed->path, cli::written(*timed, question.car, answer.maneuver));
-        if (picture && !answer.cancelled) write_file("--draw", picture->path, drawn(*picture, view, question, answer));
+        if (picture && !answer.cancelled)
+            write_file("--draw", picture->path, drawn(*picture, view.value_or(View::maneuver), question, answer));
         put_out(path, text);
     }
 
     std::optional<WaypointsFile> route;
     std::optional<TrajectoryFile> timed;
     std::optional<PictureFile> picture;
-    View view;
+    std::optional<View> view;
     std::string path;
 };
 
@@ -292,7 +295,7 @@ Action parse_entry(const Arguments& arguments) {
         const Answer answer = whole.baseline ? entry(whole.car, whole.slot, whole.options, *whole.baseline)
                                              : entry(whole.car, whole.slot, whole.options);
         if (whole.options.progress) wipe_progress();
-        files.write(whole, answer, written(format, whole, answer));
+        files.write(whole, answer, written(format, files.view, whole, answer));
         return answer.cancelled ? undecided : answer.parkable() ? solved : cannot_park;
     };
 }

@@ -48,8 +48,9 @@ Slot resized(const Slot& slot, double longer, double wider) {
                  .curb = slot.curb()});
 }
 
-/// By how much the slot would have to be longer (or wider), in whole millimetres, and tried.
-std::optional<double> enlarged(const EntryQuestion& question, Strategy strategy, int most_changes, Sought sought) {
+/// By how much the slot would have to be longer (or wider), in whole millimetres, and tried; sought that many times as coarsely.
+std::optional<double> enlarged(const EntryQuestion& question, Strategy strategy, int most_changes, Sought sought,
+                               double coarser = 1.0) {
     const bool length = sought == Sought::length;
     const Slot& slot = question.slot;
     MinSlotOptions options;
@@ -62,8 +63,8 @@ std::optional<double> enlarged(const EntryQuestion& question, Strategy strategy,
     options.front_setback = slot.front_setback();
     options.rear_setback = slot.rear_setback();
     options.curb = slot.curb();
-    options.resolution = coarse(question.car);
-    options.precision = 0.01;
+    options.resolution = coarser * coarse(question.car);
+    options.precision = coarser * 0.01;
     const auto begin = std::chrono::steady_clock::now();
     options.progress = [begin](double) {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < patience;
@@ -151,6 +152,12 @@ WayOut way_out(const EntryQuestion& question, Strategy strategy, int most_change
     try_out([&] { out.longer = enlarged(question, strategy, most, Sought::length); });
     try_out([&] { out.wider = enlarged(question, strategy, most, Sought::width); });
     try_out([&] { out.clearance = less_clearance(question, strategy, most); });
+    if (!out.any || out.any->parkable()) return out;
+    try_out([&] {
+        const int fewest = std::min(most, limits::most_changes_fewest);
+        const std::optional<double> longer = enlarged(question, Strategy::fewest, fewest, Sought::length, 3.0);
+        if (longer && (!out.longer || *longer < *out.longer)) out.longer_any = longer;
+    });
     return out;
 }
 
@@ -163,6 +170,9 @@ std::string way_out_text(const EntryQuestion& question, const WayOut& out) {
     if (out.longer)
         rows.push_back({"a longer slot", "by " + metres(*out.longer),
                         "--length " + exactly(question.slot.length() + *out.longer)});
+    if (out.longer_any)
+        rows.push_back({"any maneuver", "in a slot longer by " + metres(*out.longer_any),
+                        "--length " + exactly(question.slot.length() + *out.longer_any) + " --strategy fewest"});
     if (out.wider)
         rows.push_back(
             {"a wider slot", "by " + metres(*out.wider), "--width " + exactly(question.slot.width() + *out.wider)});

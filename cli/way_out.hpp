@@ -15,11 +15,12 @@ std::optional<Answer> any_maneuver(const EntryQuestion& question);
 
 /// The ways out of a no, each alone and each tried: what is said parks.
 struct WayOut {
-    std::optional<Answer> any;        ///< over all maneuvers; not where that was the question
-    std::optional<int> changes;       ///< the strategy parks with so many, which is more than was allowed
-    std::optional<double> longer;     ///< by so much [m]
-    std::optional<double> wider;      ///< [m]
-    std::optional<double> clearance;  ///< keeping no more than this [m]
+    std::optional<Answer> any;         ///< over all maneuvers; not where that was the question
+    std::optional<int> changes;        ///< the strategy parks with so many, which is more than was allowed
+    std::optional<double> longer;      ///< by so much [m]
+    std::optional<double> wider;       ///< [m]
+    std::optional<double> clearance;   ///< keeping no more than this [m]
+    std::optional<double> longer_any;  ///< what other maneuvers need, where they do not park in this slot either [m]
 };
 
 /// `most_changes` as allowed, by full steering or, with Strategy::fewest, over all maneuvers. Baselines get `any` alone.

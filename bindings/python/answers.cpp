@@ -173,6 +173,49 @@ std::optional<std::string> picture(const AskedAnswer& answer) {
     return draw_maneuver(*answer.car, *answer.slot, answer, PictureFormat::svg, options);
 }
 
+std::optional<std::string> picture(const AskedMinSlot& found) {
+    if (!found.length || !found.width) return std::nullopt;
+    const Slot slot({.length = *found.length,
+                     .width = *found.width,
+                     .front_setback = found.front_setback,
+                     .rear_setback = found.rear_setback,
+                     .curb = found.curb});
+    const Parked parked = parked_within(found.parked_heading, found.parked_curb);
+    const std::optional<Maneuver> maneuver = [&]() -> std::optional<Maneuver> {
+        const py::gil_scoped_release interpreter;
+        if (found.strategy == Strategy::fewest) {
+            FewestOptions options;
+            options.max_changes = found.max_changes;
+            options.driving = found.driving;
+            options.parked = parked;
+            return fewest(*found.car, slot, options).maneuver;
+        }
+        const MaxSteerRun run =
+            max_steer(*found.car, slot, found.entry_heading.value_or(0.0), {found.max_changes, found.driving, parked});
+        if (run.outcome != Outcome::parked) return std::nullopt;
+        return run.maneuver;
+    }();
+    if (!maneuver) return std::nullopt;
+    return draw_maneuver(slot, *maneuver, PictureFormat::svg, {found.driving});
+}
+
+std::optional<std::string> picture(const AskedMinStreet& found) {
+    if (!found.size) return std::nullopt;
+    const Street street = with_size(*found.street, found.sought, *found.size);
+    const Pose start = standard_start(street, *found.car);
+    ParkOptions options;
+    options.max_changes = found.max_changes;
+    options.clearance = found.clearance;
+    const ParkAnswer answer = [&] {
+        const py::gil_scoped_release interpreter;
+        return park(*found.car, street_place(street), start, options);
+    }();
+    if (!answer.parkable()) return std::nullopt;
+    PictureOptions picture;
+    picture.driving.clearance = found.clearance;
+    return draw_park(*found.car, street, start, answer, PictureFormat::svg, picture);
+}
+
 std::optional<std::string> picture(const AskedRun& run) {
     return draw_maneuver(*run.slot, *run.maneuver, PictureFormat::svg);
 }

@@ -12,6 +12,14 @@
 
 namespace snug::python {
 
+/// What counts as parked, of limits that may not have been given.
+inline Parked parked_within(const std::optional<double>& heading, const std::optional<double>& curb) {
+    Parked parked;
+    if (heading) parked.heading = *heading;
+    if (curb) parked.curb = *curb;
+    return parked;
+}
+
 /// Of entry(), fewest(), leave() and an atlas.
 struct AskedAnswer : Answer {
     std::optional<Car> car;
@@ -25,12 +33,7 @@ struct AskedAnswer : Answer {
     bool prove = false;
     std::optional<std::pair<double, double>> cell;  ///< of an atlas: length and width of the stored slot
 
-    [[nodiscard]] Parked parked() const {
-        Parked all;
-        if (parked_heading) all.heading = *parked_heading;
-        if (parked_curb) all.curb = *parked_curb;
-        return all;
-    }
+    [[nodiscard]] Parked parked() const { return parked_within(parked_heading, parked_curb); }
     /// What all maneuvers can do where the strategy cannot park.
     [[nodiscard]] std::optional<AskedAnswer> any_maneuver() const;
     /// By how much the start of its maneuver may be off, of full steering.
@@ -48,6 +51,10 @@ struct AskedMinSlot : MinSlot {
     Strategy strategy = Strategy::max_steer;
     bool prove = false;
     Sought sought = Sought::length;
+    Driving driving;
+    std::optional<double> parked_heading, parked_curb;
+    double front_setback = 0.0, rear_setback = 0.0;
+    Curb curb = Curb::high;
 };
 
 /// Of min_street().
@@ -102,6 +109,8 @@ std::string json_text(const AskedPark& answer);
 
 // The solver's own pictures as SVG; empty where there is nothing to see.
 std::optional<std::string> picture(const AskedAnswer& answer);
+std::optional<std::string> picture(const AskedMinSlot& slot);      ///< the car parking in it
+std::optional<std::string> picture(const AskedMinStreet& street);  ///< likewise
 std::optional<std::string> picture(const AskedRun& run);
 std::optional<std::string> picture(const AskedPark& answer);
 std::optional<std::string> picture(const MapOf& map);

@@ -129,6 +129,7 @@ void define_min_street(py::module_& module) {
                    counted(s.max_changes, "direction change") + ", " + std::string(to_string(s.sought)) + " " +
                    (s.size ? few_digits(*s.size) + " m" : "-");
         })
+        .picture([](const AskedMinStreet& s) { return picture(s); })
         .finish();
     define(module,
            "min_street(car: Car, street: Street, *, sought: " + literal<StreetSize>() +

@@ -339,11 +339,23 @@ void define_min_slot(py::module_& module) {
         .field("strategy", &AskedMinSlot::strategy, "As asked.")
         .field("prove", &AskedMinSlot::prove, "As asked.")
         .field("sought", &AskedMinSlot::sought, "What was asked for.")
+        .field(
+            "clearance", [](auto& s) -> auto& { return s.driving.clearance; }, "As asked [m].")
+        .field(
+            "curb_clearance", [](auto& s) -> auto& { return s.driving.curb_clearance; }, "As asked [m].")
+        .field(
+            "enter", [](auto& s) -> auto& { return s.driving.enter; }, "As asked.")
+        .field("parked_heading", &AskedMinSlot::parked_heading, "As asked [rad].")
+        .field("parked_curb", &AskedMinSlot::parked_curb, "As asked [m].")
+        .field("front_setback", &AskedMinSlot::front_setback, "As asked [m].")
+        .field("rear_setback", &AskedMinSlot::rear_setback, "As asked [m].")
+        .field("curb", &AskedMinSlot::curb, "As asked.")
         .said([](const AskedMinSlot& s) {
             const auto size = [](const std::optional<double>& metres) { return metres ? few_digits(*metres) : "-"; };
             return "MinSlot: " + (s.car->name().empty() ? "a car" : s.car->name()) + " with " +
                    counted(s.max_changes, "direction change") + ", " + size(s.length) + " x " + size(s.width) + " m";
         })
+        .picture([](const AskedMinSlot& s) { return picture(s); })
         .finish();
     define(module,
            "min_slot(car: Car, *, width: float | None = None, length: float | None = None, max_changes: int = 0, "
@@ -375,6 +387,10 @@ void define_min_slot(py::module_& module) {
                asked.strategy = options.strategy;
                asked.prove = options.prove;
                asked.sought = options.sought;
+               asked.driving = options.driving;
+               given.read("parked_heading", asked.parked_heading);
+               given.read("parked_curb", asked.parked_curb);
+               given.read_neighbours(asked);
                return asked;
            });
 }

@@ -34,9 +34,17 @@ SheetCar read_off(const Sheet& sheet) {
 }  // namespace
 
 std::vector<SheetCar> sheet_cars() {
-    // Only what a sheet gives with both overhangs, wheelbase and circle, and where overhangs and wheelbase make up the length.
+    // Only what was read with overhangs, wheelbase, length and circle. Where wheelbase and overhangs do not make up the
+    // length, the car is the longer of the two, so that what fits here fits there.
     std::vector<SheetCar> cars;
     for (const Sheet& sheet : {
+             Sheet{
+                 "fiat-ducato", 2050, 3450, 948, 1015, 12.5, "A parking program's list, Fiat Ducato MWB Van 2025",
+                 "12.5 m, curb or wall not said",
+                 "github.com/cname87/parallel-park, src/app/services/objects.service.ts\n"
+                 "The list does not name its sheet. Length and wheelbase to the centimetre: GQ Japan, December 2022,\n"
+                 "https://www.gqjapan.jp/cars/article/20221208-fiat-professional-ducato\n"
+                 "The program has the body's front corner on that circle, which would be tighter."},
              Sheet{"hyundai-ioniq-5", 1890, 3000, 845, 790, 12.0, "Hyundai Indonesia, e-brochure, Ioniq 5",
                    "12 m, curb or wall not said",
                    "The e-brochure of Hyundai in Indonesia, written down in github.com/judahdski/hyundai-ebrochure,\n"
@@ -68,9 +76,26 @@ std::vector<SheetCar> sheet_cars() {
                    "STARIA_MY25-BROCHURE_4pages_Nov2024.pdf\n"
                    "written down in github.com/bokoboss/thai-vehicle-engineering-db,\n"
                    "data/curation/manifests/wave2b/hyundai_staria_premium_my2025_v1.json"},
+             Sheet{"kia-ev3", 1850, 2680, 815, 815, 10.4, "Kia Europe, press release on the EV3, 2024",
+                   "10.4 m, curb to curb",
+                   "https://prod2-press.kia.com/eu/en/home/media-resouces/press-releases/2024/Kia-EV3.html\n"
+                   "written down in github.com/FabienD/swept-path, data/vehicles.json\n"
+                   "The length is given as 4.300 m, 10 mm less than wheelbase and overhangs make."},
              Sheet{"kia-ev5", 1875, 2750, 910, 950, 11.7, "Kia Australia, EV5 brochure", "11.7 m, curb to curb",
                    "https://www.kia.com/content/dam/kwcms/au/en/images/pdf/ev5/kia-ev5-brochure.pdf\n"
                    "written down in github.com/FabienD/swept-path, data/vehicles.json"},
+             Sheet{"kia-picanto", 1595, 2400, 675, 520, 2 * 4.8, "A parking program's list, Kia Picanto 2020",
+                   "radius 4.8 m, curb or wall not said",
+                   "github.com/cname87/parallel-park, src/app/services/objects.service.ts\n"
+                   "The list does not name its sheet. Wheelbase: Pistonudos, "
+                   "https://www.pistonudos.com/en/kia-picanto-2017\n"
+                   "The program has the body's front corner on that circle, which would be tighter."},
+             Sheet{"lexus-lbx", 1825, 2580, 860, 750, 2 * 5.2, "Lexus UK, LBX Tech Specs, July 2024",
+                   "radius 5.2 m, curb to curb",
+                   "https://media.lexus.co.uk/wp-content/uploads/sites/3/pdf/240723-LBX-Tech-Specs.pdf\n"
+                   "written down in github.com/FabienD/swept-path, data/vehicles.json\n"
+                   "The rear overhang is what the length of 4.190 m leaves: it is given as 740 mm.\n"
+                   "The width is the sheet's with mirrors folded, so the body is no wider."},
              Sheet{"lexus-nx", 1865, 2690, 1007, 963, 2 * 5.8, "Lexus UK, NX Tech Specs, August 2024",
                    "radius 5.8 m, curb to curb",
                    "https://media.lexus.co.uk/wp-content/uploads/sites/3/pdf/240809-NX-Tech-Specs.pdf\n"
@@ -95,6 +120,19 @@ std::vector<SheetCar> sheet_cars() {
                    "written down in github.com/bokoboss/thai-vehicle-engineering-db,\n"
                    "data/curation/manifests/wave1/mazda_mx5_35ae_rf_at_release_2025_v1.json\n"
                    "The width is without wheel arch mouldings, the length without plate holder."},
+             Sheet{"seat-ibiza", 1780, 2564, 796, 699, 2 * 5.0, "A parking program's list, Seat Ibiza 2018",
+                   "radius 5.0 m, curb or wall not said",
+                   "github.com/cname87/parallel-park, src/app/services/objects.service.ts\n"
+                   "The list does not name its sheet. Wheelbase: coches.net, "
+                   "https://coches.net/noticias/nuevo-seat-ibiza-2017\n"
+                   "The program has the body's front corner on that circle, which would be tighter."},
+             Sheet{"skoda-octavia", 1829, 2686, 910, 1094, 10.4, "auto-data.net, Skoda Octavia IV 2.0 TDI (150 Hp) DSG",
+                   "10.4 m, curb or wall not said",
+                   "https://www.auto-data.net/en/skoda-octavia-iv-2.0-tdi-150hp-dsg-38011\n"
+                   "written down in github.com/uoe-agents/IGP2, igp2/core/agentstate.py\n"
+                   "Circle: carspecslab, https://carspecslab.com/skoda/fabia/turning-circle (10.2 m on its page of the "
+                   "Superb)\n"
+                   "The length is given as 4.689 m, 1 mm less than wheelbase and overhangs make."},
              Sheet{"tesla-model-3", 1850, 2875, 868, 977, 11.7, "Tesla, Model 3 Owner's Manual, Thailand, 2024+",
                    "11.7 m, curb to curb",
                    "https://www.tesla.com/ownersmanual/model3/en_th/\n"

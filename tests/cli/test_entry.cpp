@@ -183,6 +183,21 @@ TEST(Entry, CsvHasOneRowPerRange) {
     }
 }
 
+TEST(Entry, CsvHasTheMovesOfTheManeuverOnDemand) {
+    const Result csv = run(zoe + "--format csv --view maneuver");
+    const std::vector<std::string> rows = lines(csv.out);
+    const Json moves = Json::parse(run(zoe + "--format json").out)["maneuver"]["moves"];
+    ASSERT_EQ(rows.size(), moves.size() + 1);
+    EXPECT_EQ(rows[0].substr(0, 31), "direction,steering_angle,length");
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        const std::string begin = moves[i]["direction"].get<std::string>() + ',' + moves[i]["steering_angle"].dump() +
+                                  ',' + moves[i]["length"].dump() + ',';
+        EXPECT_EQ(rows[i + 1].substr(0, begin.size()), begin);
+    }
+    EXPECT_EQ(run(zoe + "--format csv --view entries").out, run(zoe + "--format csv").out);
+    EXPECT_EQ(lines(run(too_small + "--format csv --view maneuver").out).size(), 1U);
+}
+
 TEST(Entry, TextFitsEightyColumns) {
     for (const std::string& question : parkable) {
         const Result result = run(question);
@@ -293,6 +308,9 @@ TEST(Entry, ANoNamesTheWayOut) {
     }
     const Result small = run("entry --car renault-zoe --length 4 --width 2");
     EXPECT_NE(way_out(small.out, "a longer slot"), "") << small.out;
+    const std::string any = way_out(small.out, "any maneuver");
+    EXPECT_NE(any.find("--strategy fewest"), std::string::npos) << small.out;
+    EXPECT_EQ(run("entry --car renault-zoe --width 2 " + any).exit_code, 0) << any;
     EXPECT_NE(small.out.find("No other maneuver parks either"), std::string::npos) << small.out;
     const Result keeping = run("entry --car renault-zoe --length 4.2 --width 2 --clearance 0.1 --strategy fewest");
     EXPECT_NE(keeping.out.find("too short for the car with its clearance"), std::string::npos) << keeping.out;

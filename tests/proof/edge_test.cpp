@@ -119,6 +119,54 @@ TEST(Edges, SingleRunsDoWhatIsSaid) {
     EXPECT_GT(tally.parked, tally.runs / 10);
 }
 
+/// Where the first headings that are possible at all are those at which a circle is tangent, rounding has every other
+/// heading park, in stripes. They are no ranges.
+TEST(Edges, StripesOfRoundingAreNoRanges) {
+    const struct {
+        snug::CarDimensions car;
+        snug::SlotDimensions slot;
+    } cases[] = {
+        {{2.220997077982511, 1.8901495662422323, 0.0872146894671146, 1.0457292964236753, 0.8613816416567168},
+         {.length = 2.3046973645015085, .width = 2.403038016007265, .rear_setback = 0.20922948488226975}},
+        {{2.081978592425948, 1.8863136349442617, 0.1382991327494229, 1.7235026436946708, 0.7988406650442115},
+         {.length = 2.1821458301339893,
+          .width = 2.5151978673174042,
+          .rear_setback = 0.315384733346005,
+          .curb = snug::Curb::low}},
+        {{2.4584811920999767, 2.250250511861643, 0.5091910800013556, 1.4037158351831045, 0.5308009363453532},
+         {.length = 2.81882106169801, .width = 3.509591869958567, .rear_setback = 0.7168079455730831}},
+    };
+    Random random(9401);
+    int places = 0;
+    int wrong = 0;
+    for (const auto& one : cases) {
+        for (const double more : {-1e-9, -1e-10, 0.0, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6}) {
+            snug::SlotDimensions dimensions = one.slot;
+            dimensions.length += more;
+            const snug::Car car(one.car);
+            const snug::Slot slot(dimensions);
+            snug::EntryOptions options;
+            options.driving.enter = snug::Enter::forward;
+            const snug::Answer answer = entry(car, slot, options);
+            for (const snug::HeadingRange& range : answer.ranges) {
+                for (int i = 0; i < 500; ++i) {
+                    const double heading = random.between(range.min, range.max);
+                    const snug::MaxSteerRun run = max_steer(
+                        car, slot, heading, {.max_changes = range.direction_changes, .driving = options.driving});
+                    ++places;
+                    if (run.outcome == snug::Outcome::parked &&
+                        run.maneuver.direction_changes() == range.direction_changes)
+                        continue;
+                    ++wrong;
+                    if (wrong == 1) std::printf("first: %.17g, %g longer\n", heading, more);
+                }
+            }
+        }
+    }
+    EXPECT_GT(places, 2'000);
+    EXPECT_LE(wrong, places / 200);
+}
+
 /// A corner touches the rear side where the circle of the next move is tangent to it: before that the corner leaves the
 /// wall, beyond it the car is stuck. The circle reaches the wall by less than rounding, so only its first way tells.
 TEST(Edges, ATangentialStartIsStuckWhereItWouldMoveIn) {

@@ -38,6 +38,7 @@ ASKED = {
     "fewest": snug.fewest(ZOE, snug.Slot(5.2, 1.9), resolution=0.004),
     "leave": snug.leave(ZOE, snug.Slot(5, 2), PARKED, resolution=0.004),
     "min-slot": snug.min_slot(ZOE, width=2.0, max_changes=3),
+    "kept": snug.min_slot(ZOE, length=5.2, max_changes=4, clearance=0.03, front_setback=0.1, curb="low", parked_curb=0.3),
     "least": snug.min_slot(ZOE, width=2.0, max_changes=1, strategy="fewest", resolution=0.02),
     "road": snug.min_street(ZOE, BAY, max_changes=1, resolution=0.05), "least bay": snug.min_street(ZOE, BAY, sought="width", resolution=0.05),
     "run": snug.max_steer(ZOE, SLOT, 0.486), "park": snug.park(ZOE, STREET), "yard": snug.park(ZOE, YARD),
@@ -106,7 +107,8 @@ def test_any_maneuver_where_the_strategy_cannot_park(tmp_path):
     assert pickle.loads(pickle.dumps(answer)).any_maneuver == other
 
 
-@pytest.mark.parametrize("name", ["entry", "no entry", "outline", "conditions", "fewest", "leave", "run", "park", "yard"])
+@pytest.mark.parametrize("name", ["entry", "no entry", "outline", "conditions", "fewest", "leave", "run", "park", "yard", "min-slot", "least",
+                                  "road", "least bay", "kept"])
 def test_notebooks_show_pictures(name):
     assert xml.fromstring(ASKED[name]._repr_svg_()).tag.endswith("svg")
 
@@ -115,6 +117,7 @@ def test_maps_show_themselves_and_what_is_undecided_does_not():
     for place in (STREET, YARD):
         assert xml.fromstring(snug.ParkMap(ZOE, place, max_changes=2)._repr_svg_()).tag.endswith("svg")
     stopped = snug.entry(ZOE, SLOT, strategy=snug.Stepping(step=1e-4), max_changes=40, progress=lambda part: False)
+    assert snug.min_slot(ZOE, width=1.5)._repr_svg_() is None
     assert stopped.cancelled and stopped._repr_svg_() is None and "undecided" in repr(stopped)
 
 

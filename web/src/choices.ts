@@ -8,9 +8,13 @@ const titles: Record<string, string> = {
     "renault-zoe": "Renault ZOE",
     "vw-transporter": "VW Transporter",
     "mercedes-amg-gt": "Mercedes-AMG GT",
+    "kia-ev3": "Kia EV3",
     "kia-ev5": "Kia EV5",
+    "lexus-lbx": "Lexus LBX",
     "lexus-nx": "Lexus NX",
     "mazda-mx-5": "Mazda MX-5",
+    "seat-ibiza": "SEAT Ibiza",
+    "skoda-octavia": "Škoda Octavia",
 };
 const titleOf = (name: string) => titles[name] ?? name.split("-").map((word) => word.charAt(0).toUpperCase() + word.slice(1)).join(" ");
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <random>
 #include <utility>
 
 #include "full_steering/cases.hpp"
@@ -21,6 +22,43 @@ std::optional<int> SingleRuns::changes_from(double heading, int most) const {
     return changes;
 }
 
+namespace {
+
+constexpr double narrow = 1e-6;  ///< ranges are looked at in many places, not in their middle alone [rad]
+constexpr int many_places = 32;
+
+/// The part of a range that single runs show; nothing where they do not show most of it.
+std::optional<CountedHeadings> shown_part(const SingleRuns& runs, const CountedHeadings& range) {
+    const auto shown = [&](double heading) { return runs.changes_from(heading, range.changes) == range.changes; };
+    const double wide = range.max - range.min;
+    if (wide > narrow) return shown(0.5 * (range.min + range.max)) ? std::optional(range) : std::nullopt;
+    CountedHeadings part = range;
+    std::minstd_rand random;  // the stripes that rounding makes keep step with anything regular
+    std::array<double, many_places> at{};
+    for (;;) {
+        for (double& heading : at) {
+            const double of_one = static_cast<double>(random()) / static_cast<double>(std::minstd_rand::max());
+            heading = part.min + of_one * (part.max - part.min);
+        }
+        std::sort(at.begin(), at.end());
+        CountedHeadings longest{part.min, part.min, range.changes};
+        double from = part.min;
+        bool all = true;
+        for (const double heading : at) {
+            if (shown(heading)) continue;
+            all = false;
+            if (heading - from > longest.max - longest.min) longest = {from, heading, range.changes};
+            from = heading;
+        }
+        if (all) return part;
+        if (part.max - from > longest.max - longest.min) longest = {from, part.max, range.changes};
+        if (longest.max - longest.min < 0.5 * wide) return std::nullopt;
+        part = longest;
+    }
+}
+
+}  // namespace
+
 void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found, std::vector<Headings>& noise) {
     std::vector<CountedHeadings> left;
     std::size_t next = 0;
@@ -28,22 +66,20 @@ void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found
         for (; next < end; ++next) noise.push_back({found[next].min, found[next].max});
     };
     for (const Chain& chain : chains(found, never, resolvable_range)) {
-        // Splinters at the ends of several are what rounding made of the ends, or all there is: then nothing is sure.
-        const auto splinter = [&](std::size_t i) { return found[i].max - found[i].min <= one_subrange; };
-        std::size_t first = chain.first;
-        std::size_t last = chain.last;
-        if (first < last) {
-            while (first <= last && splinter(first)) ++first;
-            while (first < last && splinter(last)) --last;
-        }
-        leave_out(first);
-        for (; next <= last; ++next) {
+        leave_out(chain.first);
+        while (next <= chain.last) {
+            // A splinter among several is what rounding made of an end.
             const CountedHeadings& range = found[next];
-            if (runs.changes_from(0.5 * (range.min + range.max), range.changes) == range.changes) {
-                left.push_back(range);
-            } else {
-                noise.push_back({range.min, range.max});
+            const bool splinter = chain.first < chain.last && range.max - range.min <= one_subrange;
+            const std::optional<CountedHeadings> shown = splinter ? std::nullopt : shown_part(runs, range);
+            if (!shown) {
+                leave_out(next + 1);
+                continue;
             }
+            if (range.min < shown->min) noise.push_back({range.min, shown->min});
+            if (shown->max < range.max) noise.push_back({shown->max, range.max});
+            left.push_back(*shown);
+            ++next;
         }
     }
     leave_out(found.size());

@@ -20,8 +20,8 @@ struct SingleRuns {
     [[nodiscard]] std::optional<int> changes_from(double heading, int most) const;
 };
 
-/// Takes out what rounding made or hides: ranges whose middle does not park with their count, and stretches too narrow to
-/// be told from it.
+/// Takes out what rounding made or hides: ranges whose middle does not park with their count, narrow ones where that is so
+/// anywhere, and stretches too narrow to be told from it.
 void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found, std::vector<Headings>& noise);
 
 /// Where the proof is to cut first: around the edges found, and here and there.
