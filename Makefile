@@ -17,21 +17,22 @@ demo: setup
 	build/release/snug entry --car mid-size --length 5.1 --width 2.2 --draw out/demo.svg
 	@echo "The picture is out/demo.svg"
 
-# Everything that can fail, the quickest first.
+# Everything that can fail, the quickest first. One test more than there are cores, for some of them wait. The page is built and
+# tested beside the build with sanitizers, for its tests mostly wait; what they say is in build/web/tests.log.
+TESTS := $(shell expr $(JOBS) + 1)
 test: check-format check-tidy build
-	ctest --preset release --parallel $(JOBS)
-	$(MAKE) web-page
+	ctest --preset release --parallel $(TESTS)
 	cmake --preset sanitize
-	@echo "The page's tests run beside this build, for they mostly wait; they write to build/web/tests.log"
 	@mkdir -p build/web
-	@(cd web && exec npm test) >build/web/tests.log 2>&1 & page=$$!; trap 'kill $$page' INT TERM; \
+	@echo "The page is built and tested beside this build: build/web/tests.log"
+	@$(MAKE) web-test >build/web/tests.log 2>&1 & page=$$!; trap 'kill $$page' INT TERM; \
 	    cmake --build --preset sanitize --parallel $(JOBS); built=$$?; \
 	    wait $$page || { cat build/web/tests.log; exit 1; }; exit $$built
-	ctest --preset sanitize --parallel $(JOBS)
-	ctest --preset sanitize-command --parallel $(JOBS)
+	ctest --preset sanitize --parallel $(TESTS)
+	ctest --preset sanitize-command --parallel $(TESTS)
 	cmake --preset threads
 	cmake --build --preset threads --parallel $(JOBS)
-	ctest --preset threads
+	ctest --preset threads --parallel $(TESTS)
 
 # The random checks with their full number.
 soak: build

@@ -52,6 +52,12 @@ struct Spread {
     }
 };
 
+/// The car with its corners rounded by little enough that it drives nearly the same: an outline of 24 corners.
+Car rounded(const Car& car) {
+    const Outline outline = Outline::rounded(car.front(), car.rear(), car.width() / 2.0, 0.05, 0.05);
+    return {outline, car.wheelbase(), car.max_steer(), car.name()};
+}
+
 void one_move(benchmark::State& state, const Spread& spread) {
     std::size_t i = 0;
     while (state.KeepRunningBatch(spread.moves)) {
@@ -101,6 +107,9 @@ void add_batches() {
             [spread](benchmark::State& state) { batch_of_slots(state, spread); });
         add("run/max-steer-scalar" + thousand, [spread](benchmark::State& state) { one_by_one(state, spread); });
         add("move/full-steering/" + name, [spread](benchmark::State& state) { one_move(state, spread); });
+        const Spread outlined(rounded(spread.car), spread.slot);
+        add("move/full-steering-24-corners/" + name,
+            [outlined](benchmark::State& state) { one_move(state, outlined); });
     };
     add_case("renault-zoe-4.5x2.0", Spread(find_car("renault-zoe").value(), Slot({.length = 4.5, .width = 2.0})));
     add_case("mid-size-5.1x2.2", Spread(find_car("mid-size").value(), Slot({.length = 5.1, .width = 2.2})));

@@ -29,27 +29,39 @@ constexpr const char* examples =
 
 std::string shown_name(const Car& car) { return car.name().empty() ? "(no name)" : car.name(); }
 
-/// The paper's cars and those of data sheets, in one table with the same columns.
-std::string known_text() {
+/// Cars as the rows of a table.
+struct Listed {
     std::vector<std::vector<std::string>> rows = {
         {"", "width", "front", "rear", "wheelbase", "max steer", "turning", "curb to", "length"},
         {"", "w", "d_f", "d_r", "b", "phi_max", "radius", "curb", ""},
         {"car", "[m]", "[m]", "[m]", "[m]", "[deg]", "[m]", "[m]", "[m]"}};
-    const auto add = [&](const Car& car) {
+
+    void add(const Car& car) {
         rows.push_back({car.name(), fixed(car.width(), 3), fixed(car.front(), 3), fixed(car.rear(), 3),
                         fixed(car.wheelbase(), 3), fixed(car.max_steer() / degree, 1), fixed(car.turning_radius(), 3),
                         fixed(car.curb_to_curb(), 3), fixed(car.length(), 3)});
-    };
-    rows.push_back({"of the paper:"});
-    for (const Car& car : catalogue()) add(car);
-    rows.push_back({"of data sheets:"});
+    }
+    [[nodiscard]] std::string text() const { return table(rows, "lrrrrrrrr", 0); }
+};
+
+std::string fleet_text(const std::vector<Car>& cars) {
+    Listed listed;
+    for (const Car& car : cars) listed.add(car);
+    return listed.text();
+}
+
+/// The paper's cars and those of data sheets, in one table with the same columns.
+std::string known_text() {
+    Listed listed;
+    listed.rows.push_back({"of the paper:"});
+    for (const Car& car : catalogue()) listed.add(car);
+    listed.rows.push_back({"of data sheets:"});
     std::vector<std::vector<std::string>> sheets;
     for (const SheetCar& known : sheet_cars()) {
-        add(known.car);
+        listed.add(known.car);
         sheets.push_back({known.car.name(), known.circle, known.sheet});
     }
-    return table(rows, "lrrrrrrrr", 0) + "\nSheets, and the circles from which max steer is derived:\n" +
-           table(sheets, "lll", 0);
+    return listed.text() + "\nSheets, and the circles from which max steer is derived:\n" + table(sheets, "lll", 0);
 }
 
 std::string car_text(const Car& car) {
@@ -93,15 +105,22 @@ std::vector<Car> known_cars() {
 }  // namespace
 
 Action parse_cars(const Arguments& arguments) {
-    Options options("snug cars", "The cars snug knows, or one car in detail.", examples);
-    const Option<std::string> name = options.argument("NAME", "A car's name, or a JSON file; without it, all cars.");
+    Options options("snug cars", "The cars snug knows, or what a car file or a fleet says.", examples);
+    const Option<std::string> name =
+        options.argument("NAME", "A car's name, a JSON file, or a fleet's .csv;\nwithout it, all cars.");
     const OutputOptions output(options);
     if (!options.read(arguments)) return say(options.help());
-    const std::vector<Car> cars = name ? std::vector<Car>{find_or_read_car(*name)} : known_cars();
+    const bool fleet = name && ends_with(*name, ".csv");
+    const bool one = name && !fleet;
+    const std::vector<Car> cars = one     ? std::vector<Car>{find_or_read_car(*name)}
+                                  : fleet ? read_cars(*name)
+                                          : known_cars();
     std::string text;
     switch (output.format()) {
-        case Format::text: text = name ? car_text(cars.front()) + sheet_text(*name) : known_text(); break;
-        case Format::json: text = name ? car_json(cars.front()) : cars_json(cars); break;
+        case Format::text:
+            text = one ? car_text(cars.front()) + sheet_text(*name) : fleet ? fleet_text(cars) : known_text();
+            break;
+        case Format::json: text = one ? car_json(cars.front()) : cars_json(cars); break;
         case Format::csv: text = as_csv(cars); break;
     }
     return [text, path = output.path()] {

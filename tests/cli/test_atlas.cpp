@@ -15,7 +15,6 @@ namespace snug::test {
 namespace {
 
 using namespace std::chrono_literals;
-using nlohmann::json;
 
 std::string build(const std::string& file, const std::string& rest = "") {
     return "atlas build --db " + file + " --cars renault-zoe,opel-corsa --width 1.8:2.2:0.1 --length 4.4:5.2:0.1 " +
@@ -54,14 +53,14 @@ TEST(Atlas, StoredSlotsAreAnsweredAsByEntry) {
           "--length 4.4 --width 1.8"}) {
         const std::string slot = " --car renault-zoe --format json " + where;
         const Result fresh = run("entry" + slot);
-        json wanted = json::parse(fresh.out);
+        nlohmann::json wanted = nlohmann::json::parse(fresh.out);
         for (const char* key : {"proved", "undecided", "proved_changes", "any_maneuver", "start_tolerance"})
             wanted.erase(key);  // an atlas holds quick answers
         for (const std::string file : {"a.sqlite", "a.atlas"}) {
             SCOPED_TRACE(file + slot);
             const Result asked = run("atlas query --db " + folder.file(file) + slot);
             EXPECT_EQ(asked.exit_code, fresh.exit_code) << asked.err;
-            json got = json::parse(asked.out);
+            nlohmann::json got = nlohmann::json::parse(asked.out);
             EXPECT_EQ(got["cell"]["shorter"], 0.0);
             EXPECT_EQ(got["cell"]["narrower"], 0.0);
             got.erase("cell");
@@ -70,7 +69,7 @@ TEST(Atlas, StoredSlotsAreAnsweredAsByEntry) {
                 EXPECT_EQ(got[key], wanted[key]) << key;
             if (!wanted.contains("maneuver")) continue;
             EXPECT_EQ(got["direction_changes"], wanted["direction_changes"]);
-            const json &moves = got["maneuver"]["moves"], &wanted_moves = wanted["maneuver"]["moves"];
+            const nlohmann::json &moves = got["maneuver"]["moves"], &wanted_moves = wanted["maneuver"]["moves"];
             ASSERT_EQ(moves.size(), wanted_moves.size());
             for (std::size_t i = 0; i < moves.size(); ++i) {
                 for (const char* key : {"direction", "steering", "steering_angle", "length", "contact"})
@@ -127,18 +126,19 @@ TEST(Atlas, BetweenGridPointsItSaysWhichCellItUsed) {
     const Folder folder;
     run(build(folder.file("a.sqlite")));
     const std::string ask = "atlas query --db " + folder.file("a.sqlite") + " --car opel-corsa ";
-    const json answer = json::parse(run(ask + "--length 4.76 --width 2.03 --format json").out);
+    const nlohmann::json answer = nlohmann::json::parse(run(ask + "--length 4.76 --width 2.03 --format json").out);
     EXPECT_EQ(answer["cell"]["length"], 4.7);
     EXPECT_EQ(answer["cell"]["width"], 2.0);
     EXPECT_NEAR(answer["cell"]["shorter"].get<double>(), 0.06, 1e-12);
     EXPECT_EQ(answer["parkable"], true);
     EXPECT_NE(run(ask + "--length 4.76 --width 2.03").out.find("0.060 m shorter and 0.030 m narrower"),
               std::string::npos);
-    const std::string zoe = "atlas query --db " + folder.file("a.sqlite") + " --car renault-zoe ";
-    const Result unknown = run(zoe + "--length 4.45 --width 1.85");
+    const std::string renault = "atlas query --db " + folder.file("a.sqlite") + " --car renault-zoe ";
+    const Result unknown = run(renault + "--length 4.45 --width 1.85");
     EXPECT_EQ(unknown.exit_code, 3) << "too small a cell says nothing of a larger slot: " << unknown.out;
-    EXPECT_EQ(json::parse(run(zoe + "--length 4.45 --width 1.85 --format json").out)["parkable"], nullptr);
-    EXPECT_EQ(run(zoe + "--length 4.4 --width 1.8").exit_code, 1);
+    EXPECT_EQ(nlohmann::json::parse(run(renault + "--length 4.45 --width 1.85 --format json").out)["parkable"],
+              nullptr);
+    EXPECT_EQ(run(renault + "--length 4.4 --width 1.8").exit_code, 1);
 }
 
 TEST(Atlas, BeyondItsGridTheLargestSlotThatFitsAnswers) {
@@ -153,10 +153,10 @@ TEST(Atlas, BeyondItsGridTheLargestSlotThatFitsAnswers) {
         run("atlas export --db " + file + " -o " + folder.file("a.atlas"));
         for (const std::string& atlas : {file, folder.file("a.atlas")}) {
             const std::string ask = "atlas query --db " + atlas + " --car renault-zoe --format json ";
-            const json within = json::parse(run(ask + "--length 5.4 --width 2.1").out);
+            const nlohmann::json within = nlohmann::json::parse(run(ask + "--length 5.4 --width 2.1").out);
             const Result result = run(ask + "--length 9 --width 2.5");
             ASSERT_EQ(result.exit_code, 0) << result.err;
-            const json beyond = json::parse(result.out);
+            const nlohmann::json beyond = nlohmann::json::parse(result.out);
             EXPECT_EQ(beyond["slot"]["length"], 9.0);
             EXPECT_EQ(beyond["cell"]["length"], 5.4);
             EXPECT_EQ(beyond["direction_changes"], within["direction_changes"]);
@@ -183,16 +183,16 @@ TEST(Atlas, FewestTellsWhatIsProved) {
                   .exit_code,
               0);
     const std::string ask = "atlas query --db " + file + " --car renault-zoe --format json ";
-    const json exact = json::parse(run(ask + "--length 5.2 --width 1.9").out);
+    const nlohmann::json exact = nlohmann::json::parse(run(ask + "--length 5.2 --width 1.9").out);
     EXPECT_EQ(exact["direction_changes"], 2);
     EXPECT_EQ(exact["lower_bound"], 2);
     EXPECT_EQ(exact["proved"], true);
-    const json small = json::parse(run(ask + "--length 4.2 --width 1.84").out);
+    const nlohmann::json small = nlohmann::json::parse(run(ask + "--length 4.2 --width 1.84").out);
     EXPECT_EQ(small["parkable"], false);
     EXPECT_EQ(small["proved"], true);
-    const json between = json::parse(run(ask + "--length 4.9 --width 1.95").out);
+    const nlohmann::json between = nlohmann::json::parse(run(ask + "--length 4.9 --width 1.95").out);
     EXPECT_EQ(between["cell"]["length"], 4.7);
-    EXPECT_LE(between["lower_bound"], json::parse(run(ask + "--length 4.7 --width 1.9").out)["lower_bound"]);
+    EXPECT_LE(between["lower_bound"], nlohmann::json::parse(run(ask + "--length 4.7 --width 1.9").out)["lower_bound"]);
 }
 
 // The work is killed while it goes on, again and again, until it is done: at other moments each time, because how far it comes

@@ -1,10 +1,8 @@
 // Whatever is wrong: exit 2 and one line that says what, where and what would be right.
-#include "process.hpp"
+#include "questions.hpp"
 
 namespace snug::test {
 namespace {
-
-const std::string zoe = "entry --car renault-zoe --length 5 --width 2 ";
 
 TEST(BadInput, CommandsThatDoNotExist) {
     expect_refusal(run(""), {"entry", "cars"});

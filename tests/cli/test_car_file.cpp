@@ -1,8 +1,8 @@
 // What a car file may say, and that an answer's car is one.
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "model/numbers.hpp"
 #include "process.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
@@ -10,13 +10,13 @@
 namespace snug::test {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
+using model::degree;
 
 const std::string lengths = R"("width": 1.8, "front": 3.6, "rear": 0.8, "wheelbase": 2.6)";
 
 Car car_saying(const std::string& more) { return car_from_json("{" + lengths + more + "}", "my.json"); }
 
-void expect_error(const std::string& text, const std::vector<std::string>& named) {
+void expect_no_car(const std::string& text, const std::vector<std::string>& named) {
     try {
         static_cast<void>(car_from_json(text, "my.json"));
         ADD_FAILURE() << "accepted: " << text;
@@ -86,7 +86,7 @@ TEST(CarFile, CornersMayBeRound) {
 TEST(CarFile, OutlinesThatAreWrongAreTold) {
     const std::string rest = R"(, "wheelbase": 2.6, "max_steer": 0.6})";
     const auto expect = [&](const std::string& outline, const std::vector<std::string>& named) {
-        expect_error(R"({"outline": )" + outline + rest, named);
+        expect_no_car(R"({"outline": )" + outline + rest, named);
     };
     expect("[]", {"\"outline\""});
     expect("[[3.6, 0.9], [-0.8, 0.9]]", {"\"outline\""});
@@ -104,17 +104,18 @@ TEST(CarFile, OutlinesThatAreWrongAreTold) {
     expect("[[3.6, 0.9], [-0.8, 0.9], [-0.8, -0.9], [3.6, -0.9]], \"corner_radius\": 0.3",
            {"corner_radius", "outline"});
     expect("[[3.6, 0.9], [-0.8, 0.9], [-0.8, -0.9], [3.6, -0.9]], \"width\": 1.7", {"\"width\"", "agree", "1.8"});
-    expect_error("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": 1.5})", {"\"corner_radius\""});
-    expect_error("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": {"front": 0.3}})",
-                 {"\"corner_radius\"", "rear"});
-    expect_error("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": {"left": 0.3}})",
-                 {"\"left\"", "front and rear"});
-    expect_error("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": "round"})", {"\"corner_radius\"", "a string"});
+    expect_no_car("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": 1.5})", {"\"corner_radius\""});
+    expect_no_car("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": {"front": 0.3}})",
+                  {"\"corner_radius\"", "rear"});
+    expect_no_car("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": {"left": 0.3}})",
+                  {"\"left\"", "front and rear"});
+    expect_no_car("{" + lengths + R"(, "max_steer": 0.6, "corner_radius": "round"})",
+                  {"\"corner_radius\"", "a string"});
 }
 
 TEST(CarFile, SlipsAreToldForWhatTheyAre) {
     const auto expect = [](const std::string& keys, const std::vector<std::string>& named) {
-        expect_error("{" + keys + "}", named);
+        expect_no_car("{" + keys + "}", named);
     };
     const std::string mm = R"("width": 1771, "front": 3427, "rear": 657, "wheelbase": 2588, "max_steer": 0.6)";
     expect(mm, {"\"width\" is 1771 m", "looks like millimetres", "1.771 m"});
@@ -152,51 +153,51 @@ TEST(CarFile, EveryKnownCarReadsBackTheSame) {
 
 TEST(CarFile, KeysThatAreWrongAreNamed) {
     const std::string steer = R"(, "max_steer": 0.6)";
-    expect_error("{" + lengths + "}", {"max_steer", "curb_to_curb"});
-    expect_error("{" + lengths + steer + R"(, "turning_radius": 4})", {"max_steer", "turning_radius", "exclude"});
-    expect_error("{" + lengths + steer + R"(, "wheelbse": 4})", {"\"wheelbse\"", "\"wheelbase\""});
-    expect_error("{" + lengths + steer + R"(, "width": 1.9})", {"\"width\"", "twice"});
-    expect_error(R"({"width": 1.8, "front": 3.6, "rear": 0.8, "max_steer": 0.6})", {"\"wheelbase\"", "missing"});
-    expect_error("{}", {"\"width\"", "missing"});
+    expect_no_car("{" + lengths + "}", {"max_steer", "curb_to_curb"});
+    expect_no_car("{" + lengths + steer + R"(, "turning_radius": 4})", {"max_steer", "turning_radius", "exclude"});
+    expect_no_car("{" + lengths + steer + R"(, "wheelbse": 4})", {"\"wheelbse\"", "\"wheelbase\""});
+    expect_no_car("{" + lengths + steer + R"(, "width": 1.9})", {"\"width\"", "twice"});
+    expect_no_car(R"({"width": 1.8, "front": 3.6, "rear": 0.8, "max_steer": 0.6})", {"\"wheelbase\"", "missing"});
+    expect_no_car("{}", {"\"width\"", "missing"});
 }
 
 TEST(CarFile, TypesThatAreWrongAreNamed) {
-    expect_error(R"({"width": "1.8"})", {"\"width\"", "a string", "a number"});
-    expect_error(R"({"width": null})", {"\"width\"", "null"});
-    expect_error(R"({"width": true})", {"\"width\"", "true or false"});
-    expect_error(R"({"width": [1.8]})", {"\"width\"", "a list"});
-    expect_error(R"({"width": {"m": 1.8}})", {"\"width\"", "an object"});
-    expect_error(R"({"name": 7})", {"\"name\"", "a number", "a string"});
-    expect_error("{" + lengths + R"(, "max_steer": 0.6, "name": "a\nb"})", {"\"name\"", "control"});
-    expect_error("7", {"a number", "object"});
-    expect_error("\"zoe\"", {"a string", "object"});
-    expect_error("[]", {"a list", "object"});
-    expect_error("null", {"null", "object"});
+    expect_no_car(R"({"width": "1.8"})", {"\"width\"", "a string", "a number"});
+    expect_no_car(R"({"width": null})", {"\"width\"", "null"});
+    expect_no_car(R"({"width": true})", {"\"width\"", "true or false"});
+    expect_no_car(R"({"width": [1.8]})", {"\"width\"", "a list"});
+    expect_no_car(R"({"width": {"m": 1.8}})", {"\"width\"", "an object"});
+    expect_no_car(R"({"name": 7})", {"\"name\"", "a number", "a string"});
+    expect_no_car("{" + lengths + R"(, "max_steer": 0.6, "name": "a\nb"})", {"\"name\"", "control"});
+    expect_no_car("7", {"a number", "object"});
+    expect_no_car("\"zoe\"", {"a string", "object"});
+    expect_no_car("[]", {"a list", "object"});
+    expect_no_car("null", {"null", "object"});
 }
 
 TEST(CarFile, ValuesThatAreImpossibleAreNamed) {
     const std::string rest = R"("front": 3.6, "rear": 0.8, "wheelbase": 2.6, "max_steer": 0.6})";
-    expect_error(R"({"width": -1.8, )" + rest, {"width", "-1.8"});
-    expect_error(R"({"width": 0, )" + rest, {"width"});
-    expect_error(R"({"width": 1e999, )" + rest, {"line 1", "1e999", "too large"});
-    expect_error(R"({"width": NaN, )" + rest, {"line 1"});
+    expect_no_car(R"({"width": -1.8, )" + rest, {"width", "-1.8"});
+    expect_no_car(R"({"width": 0, )" + rest, {"width"});
+    expect_no_car(R"({"width": 1e999, )" + rest, {"line 1", "1e999", "too large"});
+    expect_no_car(R"({"width": NaN, )" + rest, {"line 1"});
     for (const char* steering :
          {R"("max_steer": 0)", R"("max_steer": 1.5707963267948966)", R"("max_steer": -0.5)", R"("max_steer_deg": 90)",
           R"("max_steer_deg": 0)", R"("max_steer_deg": 1e300)", R"("turning_radius": 0)", R"("turning_radius": -4)",
           R"("turning_radius": 1e300)", R"("curb_to_curb": 0)", R"("curb_to_curb": 5.2)", R"("curb_to_curb": 1e300)"}) {
         const std::string key = std::string(steering).substr(0, std::string(steering).find(':'));
-        expect_error("{" + lengths + ", " + steering + "}", {key, "must lie between"});
+        expect_no_car("{" + lengths + ", " + steering + "}", {key, "must lie between"});
     }
 }
 
 TEST(CarFile, BrokenJsonIsLocated) {
-    expect_error("", {"line 1, column 1", "too early"});
-    expect_error("{\n  \"width\": 1.8,\n  \"front\" 3\n}", {"line 3, column 11"});
-    expect_error("{" + lengths + R"(, "max_steer": 0.6} trailing)", {"line 1", "ailing"});
-    expect_error("{" + lengths + R"(, "max_steer": 0.6)", {"too early"});
-    expect_error("{'width': 1}", {"line 1, column 2"});
-    expect_error("{\"width\xff\": 1}", {"line 1"});
-    expect_error("{\"a\x01\": 1}", {"line 1"});
+    expect_no_car("", {"line 1, column 1", "too early"});
+    expect_no_car("{\n  \"width\": 1.8,\n  \"front\" 3\n}", {"line 3, column 11"});
+    expect_no_car("{" + lengths + R"(, "max_steer": 0.6} trailing)", {"line 1", "ailing"});
+    expect_no_car("{" + lengths + R"(, "max_steer": 0.6)", {"too early"});
+    expect_no_car("{'width': 1}", {"line 1, column 2"});
+    expect_no_car("{\"width\xff\": 1}", {"line 1"});
+    expect_no_car("{\"a\x01\": 1}", {"line 1"});
 }
 
 TEST(Cars, TheCatalogueComesAsTextJsonAndCsv) {

@@ -6,13 +6,13 @@
 namespace snug::test {
 namespace {
 
-const std::string bay = "drive --car renault-zoe --length 5 --width 2.5 --angle 90 --road 6 ";
+const std::string perpendicular = "drive --car renault-zoe --length 5 --width 2.5 --angle 90 --road 6 ";
 const std::string few = "--margin 0.05 --runs 5 ";
 
 TEST(Drive, AnswersInEveryFormat) {
     const Folder folder;
-    const Result json =
-        run(bay + few + "--format json --trajectory " + folder.file("t.csv") + " --draw " + folder.file("tracks.svg"));
+    const Result json = run(perpendicular + few + "--format json --trajectory " + folder.file("t.csv") + " --draw " +
+                            folder.file("tracks.svg"));
     EXPECT_EQ(json.exit_code, 0) << json.err;
     const auto answer = nlohmann::json::parse(json.out);
     for (const char* key : {"schema",
@@ -46,26 +46,28 @@ TEST(Drive, AnswersInEveryFormat) {
     EXPECT_NE(contents(folder.file("tracks.svg")).find("<svg"), std::string::npos);
     EXPECT_EQ(contents(folder.file("t.csv")).find("time,x,y,heading"), 0U);
 
-    const Result csv = run(bay + few + "--format csv");
+    const Result csv = run(perpendicular + few + "--format csv");
     EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'), 6);
-    const Result text = run(bay + few);
+    const Result text = run(perpendicular + few);
     EXPECT_NE(text.out.find("renault-zoe parks in 5 of 5 runs."), std::string::npos) << text.out;
-    EXPECT_EQ(run(bay + few + "--threads 1").out, text.out);
-    EXPECT_NE(run(bay + few + "--seed 2 --format csv").out, csv.out);
+    EXPECT_EQ(run(perpendicular + few + "--threads 1").out, text.out);
+    EXPECT_NE(run(perpendicular + few + "--seed 2 --format csv").out, csv.out);
 }
 
 TEST(Drive, TakesErrorsOfTheSlotAndALag) {
-    const auto answer = nlohmann::json::parse(run(bay + few + "--lag 0.2 --slot-error 0.03,0.02 --format json").out);
+    const auto answer =
+        nlohmann::json::parse(run(perpendicular + few + "--lag 0.2 --slot-error 0.03,0.02 --format json").out);
     EXPECT_EQ(answer["lag"], 0.2);
     EXPECT_EQ(answer["slot_error"], nlohmann::json::parse("[0.03, 0.02]"));
     EXPECT_EQ(answer["runs"], 5);
-    EXPECT_NE(run(bay + few + "--format csv").out, run(bay + few + "--slot-error 0.03,0.02 --format csv").out);
-    EXPECT_NE(run(bay + few + "--format csv").out, run(bay + few + "--lag 0 --format csv").out);
+    EXPECT_NE(run(perpendicular + few + "--format csv").out,
+              run(perpendicular + few + "--slot-error 0.03,0.02 --format csv").out);
+    EXPECT_NE(run(perpendicular + few + "--format csv").out, run(perpendicular + few + "--lag 0 --format csv").out);
 }
 
 TEST(Drive, SteersOnlyWhileItRolls) {
     const Folder folder;
-    const Result json = run(bay + few + "--steer moving --format json --trajectory " + folder.file("t.json") +
+    const Result json = run(perpendicular + few + "--steer moving --format json --trajectory " + folder.file("t.json") +
                             " --draw " + folder.file("t.svg"));
     EXPECT_EQ(json.exit_code, 0) << json.err;
     const auto answer = nlohmann::json::parse(json.out);
@@ -75,7 +77,7 @@ TEST(Drive, SteersOnlyWhileItRolls) {
     EXPECT_LE(answer["standing_changes"], answer["planned_changes"]);
     EXPECT_EQ(nlohmann::json::parse(contents(folder.file("t.json")))["standing_steers"], 0);
     EXPECT_NE(contents(folder.file("t.svg")).find("<svg"), std::string::npos);
-    const Result text = run(bay + few + "--steer moving");
+    const Result text = run(perpendicular + few + "--steer moving");
     EXPECT_NE(text.out.find("planned never, with no more direction changes than with it"), std::string::npos)
         << text.out;
 }
@@ -88,7 +90,7 @@ TEST(Drive, WithoutAPlanIsNo) {
 
 TEST(Drive, RefusesWhatIsImpossible) {
     const auto refused = [&](const std::string& options, const std::vector<std::string>& named) {
-        expect_refusal(run(bay + options), named);
+        expect_refusal(run(perpendicular + options), named);
     };
     refused("--runs 0", {"--runs"});
     refused("--rate 2", {"--rate"});

@@ -3,13 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "process.hpp"
+#include "questions.hpp"
 #include "snug/io.hpp"
 
 namespace snug::test {
 namespace {
 
-const std::string zoe = "entry --car renault-zoe --length 5 --width 2 ";
 const std::string too_small = "entry --car renault-zoe --extra-length -0.1 --width 2 ";
 
 /// Questions of every kind that a car can answer by parking.
@@ -25,24 +24,7 @@ const std::vector<std::string> parkable = {
     zoe + "--strategy parallel-trials --goal=-4.1,-1,0",
 };
 
-std::vector<std::string> keys(const Json& object) {
-    std::vector<std::string> all;
-    for (const auto& item : object.items()) {
-        all.push_back(item.key());
-    }
-    return all;
-}
-
 using Keys = std::vector<std::string>;
-
-std::vector<std::string> lines(const std::string& text) {
-    std::istringstream stream(text);
-    std::vector<std::string> all;
-    for (std::string line; std::getline(stream, line);) {
-        all.push_back(line);
-    }
-    return all;
-}
 
 TEST(Entry, JsonEchoesWhatIsNotAsUsual) {
     for (const std::string strategy : {"max-steer", "fewest"}) {

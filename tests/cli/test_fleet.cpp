@@ -2,8 +2,8 @@
 #include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "model/numbers.hpp"
 #include "process.hpp"
 #include "snug/error.hpp"
 #include "snug/io.hpp"
@@ -11,11 +11,11 @@
 namespace snug::test {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
+using model::degree;
 
 const std::string header = "name,width,front,rear,wheelbase,max_steer_deg\n";
 
-void expect_error(const std::string& text, const std::vector<std::string>& named) {
+void expect_no_fleet(const std::string& text, const std::vector<std::string>& named) {
     try {
         static_cast<void>(cars_from_csv(text, "fleet.csv"));
         ADD_FAILURE() << "accepted: " << text;
@@ -40,6 +40,22 @@ TEST(Fleet, TheKnownCarsReadBackAsTheyArePrinted) {
         EXPECT_EQ(write(as_json(cars[i])), write(as_json(known[i])));
         EXPECT_EQ(cars[i].max_steer(), known[i].max_steer());
     }
+}
+
+TEST(Fleet, ShowsWhatWasUnderstood) {
+    const Folder folder;
+    const std::string file = folder.with("two.csv",
+                                         "name,length,width,wheelbase,rear_overhang,curb_to_curb\n"
+                                         "van,5.413,2.05,3.45,1.015,12.5\nsmall,3.595,1.595,2.4,0.52,9.6\n");
+    const Result text = run("cars " + file);
+    EXPECT_EQ(text.exit_code, 0) << text.err;
+    EXPECT_NE(text.out.find("\nvan    2.050  4.398  1.015      3.450       39.5    4.187   12.500   5.413\n"),
+              std::string::npos)
+        << text.out;
+    EXPECT_EQ(Json::parse(run("cars --format json " + file).out).size(), 2U);
+    const std::string again = run("cars --format csv " + file).out;
+    EXPECT_EQ(run("cars --format csv " + folder.with("again.csv", again)).out, again);
+    expect_refusal(run("cars " + folder.with("no.csv", "name,width\na,1.8\n")), {"no.csv", "wheelbase"});
 }
 
 TEST(Fleet, AnyCarReadsBackFromAllItsColumns) {
@@ -74,22 +90,22 @@ TEST(Fleet, ColumnsComeInAnyOrderAndSteeringUnderAnyName) {
 }
 
 TEST(Fleet, HeadersThatAreWrongAreToldWithTheirColumn) {
-    expect_error("", {"empty"});
-    expect_error("\xef\xbb\xbf\r\n\n", {"empty"});
-    expect_error(header, {"no cars"});
-    expect_error("name,widht,front,rear,wheelbase,max_steer\n",
-                 {"line 1, column 2", "\"widht\"", "did you mean width"});
-    expect_error("name;width;front\n", {"line 1, column 1", "commas"});
-    expect_error("name,width,front,width\n", {"line 1, column 4", "\"width\"", "twice"});
-    expect_error("name,width,front,wheelbase,max_steer\n", {"line 1", "\"rear\""});
-    expect_error("width,front,rear,wheelbase,max_steer\n", {"line 1", "\"name\""});
-    expect_error("name,width,front,rear,wheelbase,length\n", {"line 1", "steering", "curb_to_curb"});
-    expect_error("name,\n", {"line 1, column 2", "\"\" is no column"});
+    expect_no_fleet("", {"empty"});
+    expect_no_fleet("\xef\xbb\xbf\r\n\n", {"empty"});
+    expect_no_fleet(header, {"no cars"});
+    expect_no_fleet("name,widht,front,rear,wheelbase,max_steer\n",
+                    {"line 1, column 2", "\"widht\"", "did you mean width"});
+    expect_no_fleet("name;width;front\n", {"line 1, column 1", "commas"});
+    expect_no_fleet("name,width,front,width\n", {"line 1, column 4", "\"width\"", "twice"});
+    expect_no_fleet("name,width,front,wheelbase,max_steer\n", {"line 1", "\"rear\""});
+    expect_no_fleet("width,front,rear,wheelbase,max_steer\n", {"line 1", "\"name\""});
+    expect_no_fleet("name,width,front,rear,wheelbase,length\n", {"line 1", "steering", "curb_to_curb"});
+    expect_no_fleet("name,\n", {"line 1, column 2", "\"\" is no column"});
 }
 
 TEST(Fleet, FieldsThatAreWrongAreToldWithTheirLineAndColumn) {
     const auto expect = [](const std::string& line, const std::vector<std::string>& named) {
-        expect_error(header + "good,1.8,3.6,0.8,2.6,36\n" + line + "\nbad\n", named);
+        expect_no_fleet(header + "good,1.8,3.6,0.8,2.6,36\n" + line + "\nbad\n", named);
     };
     expect("a,1.8,3.6,0.8,abc,36", {"line 3, column 5 (wheelbase)", "\"abc\" is no number", "metres"});
     expect("a,1.8,3.6,0.8,2.6,36 deg", {"line 3, column 6 (max_steer_deg)", "\"36 deg\"", "degrees"});
@@ -121,11 +137,11 @@ TEST(Fleet, FieldsThatAreWrongAreToldWithTheirLineAndColumn) {
 
 TEST(Fleet, ColumnsThatRepeatOthersMustAgree) {
     const std::string all = "name,width,front,rear,wheelbase,max_steer_deg,turning_radius,length\n";
-    expect_error(all + "a,1.8,3.6,0.8,2.6,36,,4.5\n",
-                 {"line 2, column 8 (length)", "length is 4.5", "front and rear", "4.4"});
-    expect_error(all + "a,1.8,3.6,0.8,2.6,36,4,\n",
-                 {"line 2, column 7 (turning_radius)", "turning_radius is 4", "max_steer_deg"});
-    expect_error(all + "a,1.8,3.6,0.8,2.6,36,x,\n", {"line 2, column 7 (turning_radius)", "no number"});
+    expect_no_fleet(all + "a,1.8,3.6,0.8,2.6,36,,4.5\n",
+                    {"line 2, column 8 (length)", "length is 4.5", "front and rear", "4.4"});
+    expect_no_fleet(all + "a,1.8,3.6,0.8,2.6,36,4,\n",
+                    {"line 2, column 7 (turning_radius)", "turning_radius is 4", "max_steer_deg"});
+    expect_no_fleet(all + "a,1.8,3.6,0.8,2.6,36,x,\n", {"line 2, column 7 (turning_radius)", "no number"});
     EXPECT_EQ(cars_from_csv(all + "a,1.8,3.6,0.8,2.6,45,2.6,4.4\n", "").size(), 1U);
 }
 
@@ -145,9 +161,9 @@ TEST(Fleet, DataSheetsAndOutlinesDescribeCars) {
     const std::vector<Car> back = cars_from_csv(as_csv(cars), "again");
     for (std::size_t i = 0; i < cars.size(); ++i) EXPECT_EQ(back[i], cars[i]);
     const std::string head = "name,wheelbase,max_steer_deg,outline\n";
-    expect_error(head + "a,2.6,36,3.6 0.9; -0.8 0.9\n", {"line 2, column 4 (outline)"});
-    expect_error(head + "a,2.6,36,3.6 0.9; -0.8; 1 1\n", {"line 2, column 4 (outline)", "is no point"});
-    expect_error(head + "a,2.6,36,3.6 0.9; -0.8 x; 1 1\n", {"line 2, column 4 (outline)", "\"x\" is no number"});
+    expect_no_fleet(head + "a,2.6,36,3.6 0.9; -0.8 0.9\n", {"line 2, column 4 (outline)"});
+    expect_no_fleet(head + "a,2.6,36,3.6 0.9; -0.8; 1 1\n", {"line 2, column 4 (outline)", "is no point"});
+    expect_no_fleet(head + "a,2.6,36,3.6 0.9; -0.8 x; 1 1\n", {"line 2, column 4 (outline)", "\"x\" is no number"});
 }
 
 TEST(Fleet, FilesThatCannotBeReadAreTold) {

@@ -8,26 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "process.hpp"
+#include "questions.hpp"
 #include "snug/io.hpp"
 
 namespace snug::test {
 namespace {
 
-const std::string zoe = "min-slot --car renault-zoe ";
-
-std::vector<std::string> lines(const std::string& text) {
-    std::istringstream stream(text);
-    std::vector<std::string> all;
-    for (std::string line; std::getline(stream, line);) all.push_back(line);
-    return all;
-}
-
-std::vector<std::string> keys(const Json& object) {
-    std::vector<std::string> all;
-    for (const auto& item : object.items()) all.push_back(item.key());
-    return all;
-}
+const std::string smallest = "min-slot --car renault-zoe ";
 
 /// Does `snug entry` park in the slot of a row, made longer and wider by a little, with the changes allowed?
 bool parks(const Json& row, double longer, double wider) {
@@ -39,7 +26,7 @@ bool parks(const Json& row, double longer, double wider) {
 }
 
 TEST(MinSlot, JsonHasTheDocumentedKeysInOrder) {
-    const Result result = run(zoe + "--max-changes 2,0 --width 1.75,1.9:2.1:0.1 --format json");
+    const Result result = run(smallest + "--max-changes 2,0 --width 1.75,1.9:2.1:0.1 --format json");
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const Json answer = Json::parse(result.out);
     EXPECT_EQ(write(answer), result.out);
@@ -59,12 +46,12 @@ TEST(MinSlot, JsonHasTheDocumentedKeysInOrder) {
 }
 
 TEST(MinSlot, TheSlotsAreThoseThatEntryParksIn) {
-    const Json lengths = Json::parse(run(zoe + "--max-changes 0,5 --width 1.9,2.2 --format json").out)["rows"];
-    for (const Json& row : lengths) {
+    const Json rows = Json::parse(run(smallest + "--max-changes 0,5 --width 1.9,2.2 --format json").out)["rows"];
+    for (const Json& row : rows) {
         EXPECT_TRUE(parks(row, 1e-6, 0)) << row;
         EXPECT_FALSE(parks(row, -1e-6, 0)) << row;
     }
-    const Json widths = Json::parse(run(zoe + "--max-changes 3,5 --length 4.9,5 --format json").out)["rows"];
+    const Json widths = Json::parse(run(smallest + "--max-changes 3,5 --length 4.9,5 --format json").out)["rows"];
     ASSERT_EQ(widths.size(), 4U);
     for (const Json& row : widths) {
         EXPECT_TRUE(parks(row, 0, 1e-6)) << row;
@@ -73,7 +60,7 @@ TEST(MinSlot, TheSlotsAreThoseThatEntryParksIn) {
 }
 
 TEST(MinSlot, CsvHasTheSameColumns) {
-    const std::string question = zoe + "--max-changes 0,3 --width 1.7,2 --format ";
+    const std::string question = smallest + "--max-changes 0,3 --width 1.7,2 --format ";
     const std::vector<std::string> rows = lines(run(question + "csv").out);
     const Json json = Json::parse(run(question + "json").out)["rows"];
     ASSERT_EQ(rows.size(), 5U);
@@ -84,12 +71,13 @@ TEST(MinSlot, CsvHasTheSameColumns) {
 
 TEST(MinSlot, ExtraSizesAreBeyondTheCars) {
     const std::string form = " --max-changes 4 --format csv";
-    EXPECT_EQ(run(zoe + "--extra-width 0.129:0.329:0.1" + form).out, run(zoe + "--width 1.9,2,2.1" + form).out);
-    EXPECT_EQ(run(zoe + "--extra-length 0.816" + form).out, run(zoe + "--length 4.9" + form).out);
+    EXPECT_EQ(run(smallest + "--extra-width 0.129:0.329:0.1" + form).out,
+              run(smallest + "--width 1.9,2,2.1" + form).out);
+    EXPECT_EQ(run(smallest + "--extra-length 0.816" + form).out, run(smallest + "--length 4.9" + form).out);
 }
 
 TEST(MinSlot, AnswersDoNotDependOnThreads) {
-    const std::string question = zoe + "--max-changes 0:4:1 --extra-width 0.1:0.3:0.01 --format csv ";
+    const std::string question = smallest + "--max-changes 0:4:1 --extra-width 0.1:0.3:0.01 --format csv ";
     EXPECT_EQ(run(question + "--threads 1").out, run(question + "--threads 3").out);
 }
 
@@ -99,7 +87,7 @@ TEST(MinSlot, TakesNeighboursCurbAndWhatCountsAsParked) {
         "--parked-curb 0.3 ";
     for (const std::string strategy : {"max-steer", "fewest --resolution 0.008"}) {
         const std::string same = beside + "--strategy " + strategy + " --format json ";
-        const Json row = Json::parse(run(zoe + "--max-changes 4 --width 2 " + same).out)["rows"][0];
+        const Json row = Json::parse(run(smallest + "--max-changes 4 --width 2 " + same).out)["rows"][0];
         const double length = row["length"];
         const auto changes = [&](double by) {
             const std::string slot = "entry --car renault-zoe --width 2 --length " + std::to_string(length + by) + ' ';
@@ -115,21 +103,21 @@ TEST(MinSlot, TakesNeighboursCurbAndWhatCountsAsParked) {
     }
     // Deeper neighbours and a low curb leave more room, a looser condition does no harm.
     const auto length = [](const std::string& more) {
-        return Json::parse(run(zoe + "--max-changes 4 --width 2 --format json " + more).out)["rows"][0]["length"]
+        return Json::parse(run(smallest + "--max-changes 4 --width 2 --format json " + more).out)["rows"][0]["length"]
             .get<double>();
     };
     EXPECT_LT(length("--front-setback 0.3"), length(""));
     EXPECT_LE(length("--curb low"), length("") + 1e-6);
     EXPECT_GE(length("--parked-heading 1"), length("") - 1e-6);
-    expect_refusal(run(zoe + "--max-changes 1 --width 1.8:2:0.1 --front-setback 1.9"),
+    expect_refusal(run(smallest + "--max-changes 1 --width 1.8:2:0.1 --front-setback 1.9"),
                    {"--front-setback", "1.8 m wide"});
-    expect_refusal(run(zoe + "--max-changes 1 --length 5 --strategy fewest --parked-curb 0.2"),
+    expect_refusal(run(smallest + "--max-changes 1 --length 5 --strategy fewest --parked-curb 0.2"),
                    {"--parked-curb", "fewest"});
-    expect_refusal(run(zoe + "--max-changes 1 --width 2 --strategy stepping --curb low"), {"--curb", "max-steer"});
+    expect_refusal(run(smallest + "--max-changes 1 --width 2 --strategy stepping --curb low"), {"--curb", "max-steer"});
 }
 
 TEST(MinSlot, OfStreetsTheRoadTheWidthOrTheLengthIsFound) {
-    const std::string bay = zoe + "--angle 90 --max-changes 3,1 --resolution 0.04 ";
+    const std::string bay = smallest + "--angle 90 --max-changes 3,1 --resolution 0.04 ";
     const Json roads = Json::parse(run(bay + "--length 5 --width 2.5,2.7 --format json").out);
     EXPECT_EQ(keys(roads), (std::vector<std::string>{"schema", "car", "strategy", "slot", "rows"}));
     ASSERT_EQ(roads["rows"].size(), 4U);
@@ -148,42 +136,43 @@ TEST(MinSlot, OfStreetsTheRoadTheWidthOrTheLengthIsFound) {
     const std::vector<std::string> widths = lines(run(bay + "--length 5 --road 6 --format csv").out);
     ASSERT_EQ(widths.size(), 3U);
     EXPECT_EQ(widths[0], "max_changes,length,width,road,width_lower");
-    const std::string text = run(zoe + "--width 2 --road 3.5 --max-changes 2 --resolution 0.04").out;
+    const std::string text = run(smallest + "--width 2 --road 3.5 --max-changes 2 --resolution 0.04").out;
     EXPECT_NE(text.find("the shortest slot [m] over all maneuvers"), text.npos) << text;
-    EXPECT_EQ(run(zoe + "--angle 90 --length 3 --width 2.5 --max-changes 1").exit_code, 1);
+    EXPECT_EQ(run(smallest + "--angle 90 --length 3 --width 2.5 --max-changes 1").exit_code, 1);
 }
 
 TEST(MinSlot, OverAllManeuversWidthsAreFoundToo) {
     const Json row = Json::parse(
-        run(zoe + "--max-changes 3 --length 5 --strategy fewest --resolution 0.008 --format json").out)["rows"][0];
+        run(smallest + "--max-changes 3 --length 5 --strategy fewest --resolution 0.008 --format json").out)["rows"][0];
     EXPECT_EQ(row["length"], 5.0);
     EXPECT_LT(row["width_lower"], row["width"]);
-    const Json exact = Json::parse(run(zoe + "--max-changes 3 --length 5 --format json").out)["rows"][0];
+    const Json exact = Json::parse(run(smallest + "--max-changes 3 --length 5 --format json").out)["rows"][0];
     EXPECT_LE(row["width"], exact["width"]);
     EXPECT_LE(row["width_lower"], exact["width"]);
 }
 
 TEST(MinSlot, NothingWithinTheLimitsIsExitOne) {
-    EXPECT_EQ(run(zoe + "--max-changes 5 --width 1.78 --format csv").exit_code, 1);
-    const Result short_limit = run(zoe + "--max-changes 0 --width 2 --max-length 5.5 --format csv");
+    EXPECT_EQ(run(smallest + "--max-changes 5 --width 1.78 --format csv").exit_code, 1);
+    const Result short_limit = run(smallest + "--max-changes 0 --width 2 --max-length 5.5 --format csv");
     EXPECT_EQ(short_limit.exit_code, 1);
     EXPECT_EQ(short_limit.out, "max_changes,width,length,entry_heading\n0,2.0,,\n");
-    EXPECT_EQ(run(zoe + "--max-changes 0 --width 2 --max-length 5.7").exit_code, 0);
+    EXPECT_EQ(run(smallest + "--max-changes 0 --width 2 --max-length 5.7").exit_code, 0);
 }
 
 TEST(MinSlot, RoomForAnImpreciseDriverTakesLonger) {
     const auto length = [](const std::string& more) {
-        return Json::parse(run(zoe + "--max-changes 4 --width 2 --format json " + more).out)["rows"][0]["length"]
+        return Json::parse(run(smallest + "--max-changes 4 --width 2 --format json " + more).out)["rows"][0]["length"]
             .get<double>();
     };
     EXPECT_GT(length("--min-range 0.01"), length("") + 0.001);
     EXPECT_GT(length("--clearance 0.05"), length("") + 0.1);
-    EXPECT_EQ(run(zoe + "--max-changes 4 --width 2.4 --enter forward").exit_code, 1) << "nose first needs more width";
-    EXPECT_EQ(run(zoe + "--max-changes 4 --width 3.2 --enter forward").exit_code, 0);
+    EXPECT_EQ(run(smallest + "--max-changes 4 --width 2.4 --enter forward").exit_code, 1)
+        << "nose first needs more width";
+    EXPECT_EQ(run(smallest + "--max-changes 4 --width 3.2 --enter forward").exit_code, 0);
 }
 
 TEST(MinSlot, OneSlotIsAnsweredInWords) {
-    const Result result = run(zoe + "--length 5.2 --width 2.1");
+    const Result result = run(smallest + "--length 5.2 --width 2.1");
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_EQ(result.out,
               "renault-zoe fits the 5.200 x 2.100 m slot with 1 direction change.\n"
@@ -191,14 +180,14 @@ TEST(MinSlot, OneSlotIsAnsweredInWords) {
               "  0.048 m shorter would need 2\n"
               "  1.052 m wider would do with 0\n"
               "  0.133 m narrower would need 2\n");
-    const Result hopeless = run(zoe + "--length 4 --width 2");
+    const Result hopeless = run(smallest + "--length 4 --width 2");
     EXPECT_EQ(hopeless.exit_code, 1);
     EXPECT_NE(hopeless.out.find("It is 0.084 m too short for the car."), std::string::npos) << hopeless.out;
-    EXPECT_NE(
-        run(zoe + "--length 4.1 --width 1.8 --clearance 0.05").out.find("too narrow for the car with its clearance."),
-        std::string::npos);
+    EXPECT_NE(run(smallest + "--length 4.1 --width 1.8 --clearance 0.05")
+                  .out.find("too narrow for the car with its clearance."),
+              std::string::npos);
     EXPECT_NE(hopeless.out.find("m longer would do with"), std::string::npos) << hopeless.out;
-    const Json rows = Json::parse(run(zoe + "--length 5.2 --width 2.1 --format json").out)["rows"];
+    const Json rows = Json::parse(run(smallest + "--length 5.2 --width 2.1 --format json").out)["rows"];
     ASSERT_EQ(rows.size(), 3U);
     for (int i = 0; i < 3; ++i) EXPECT_EQ(rows[std::size_t(i)]["max_changes"], i);
 }
@@ -243,7 +232,8 @@ TEST(MinSlot, WhereFullSteeringHasNoSlotOtherManeuversAreTold) {
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_NE(result.out.find("Other maneuvers"), std::string::npos) << result.out;
     EXPECT_EQ(run("entry --length 15 --width 3 --strategy fewest --max-changes 0 --car " + file).exit_code, 0);
-    EXPECT_EQ(run(zoe + "--max-changes 1 --width 1.6").out.find("Other"), std::string::npos) << "narrower than the car";
+    EXPECT_EQ(run(smallest + "--max-changes 1 --width 1.6").out.find("Other"), std::string::npos)
+        << "narrower than the car";
 }
 
 TEST(MinSlot, OneSlotIsDrawn) {
@@ -257,8 +247,8 @@ TEST(MinSlot, OneSlotIsDrawn) {
 TEST(MinSlot, ThePapersLoopIsCoarserAndNeverShorter) {
     const std::string stepping = "--strategy stepping --step 0.01 --heading-step 0.002 ";
     const Json loop =
-        Json::parse(run(zoe + "--max-changes 2,0 --width 2 --length-step 0.05 --format json " + stepping).out);
-    const Json exact = Json::parse(run(zoe + "--max-changes 2,0 --width 2 --format json").out);
+        Json::parse(run(smallest + "--max-changes 2,0 --width 2 --length-step 0.05 --format json " + stepping).out);
+    const Json exact = Json::parse(run(smallest + "--max-changes 2,0 --width 2 --format json").out);
     EXPECT_EQ(loop["strategy"], "stepping");
     for (std::size_t i = 0; i < 2; ++i) {
         const double steps = (loop["rows"][i]["length"].get<double>() - 4.084) / 0.05;
@@ -266,13 +256,13 @@ TEST(MinSlot, ThePapersLoopIsCoarserAndNeverShorter) {
         EXPECT_GT(loop["rows"][i]["length"], exact["rows"][i]["length"]);
         EXPECT_LT(loop["rows"][i]["length"].get<double>(), exact["rows"][i]["length"].get<double>() + 0.1);
     }
-    EXPECT_EQ(run(zoe + "--max-changes 2 --length 5 --width-step 0.05 " + stepping).exit_code, 0);
+    EXPECT_EQ(run(smallest + "--max-changes 2 --length 5 --width-step 0.05 " + stepping).exit_code, 0);
 }
 
 TEST(MinSlot, TextFitsEightyColumns) {
     for (const std::string question : {"--max-changes 0:10:1,100 --width 1.7:2.2:0.1", "--max-changes 3 --length 4.9",
                                        "--length 4.8 --width 2.05", "--length 3 --width 1"}) {
-        for (const std::string& line : lines(run(zoe + question).out)) EXPECT_LE(line.size(), 80U) << line;
+        for (const std::string& line : lines(run(smallest + question).out)) EXPECT_LE(line.size(), 80U) << line;
     }
 }
 
@@ -285,17 +275,20 @@ TEST(MinSlot, HelpHasAnExample) {
 }
 
 TEST(MinSlot, BadInputIsNamed) {
-    expect_refusal(run(zoe), {"--width is missing"});
+    expect_refusal(run(smallest), {"--width is missing"});
     expect_refusal(run("min-slot --width 2 --max-changes 1"), {"--car is missing"});
-    expect_refusal(run(zoe + "--width 2"), {"--max-changes is missing"});
-    expect_refusal(run(zoe + "--width 2 --length 5 --max-changes 1 --clearance 0.1"), {"--clearance", "leave it out"});
-    expect_refusal(run(zoe + "--width 2 --length 5,6 --max-changes 1"), {"--length is a list"});
-    expect_refusal(run(zoe + "--width 2 --length 5 --max-changes 1 --strategy stepping"), {"--strategy", "fewest"});
-    expect_refusal(run(zoe + "--width 2 --max-changes 2-5"), {"--max-changes", "write 2:5:1"});
-    expect_refusal(run(zoe + "--width 1.8-2.4 --max-changes 2"), {"--width", "write 1.8:2.4:0.01"});
-    expect_refusal(run(zoe + "--width 2 --max-changes 2 --draw x.svg"), {"--draw", "one slot"});
-    expect_refusal(run(zoe + "--width 2,3 --length 5"), {"--width is a list"});
-    expect_refusal(run(zoe + "--width 2 --extra-width 1 --max-changes 1"), {"--width", "--extra-width", "exclude"});
+    expect_refusal(run(smallest + "--width 2"), {"--max-changes is missing"});
+    expect_refusal(run(smallest + "--width 2 --length 5 --max-changes 1 --clearance 0.1"),
+                   {"--clearance", "leave it out"});
+    expect_refusal(run(smallest + "--width 2 --length 5,6 --max-changes 1"), {"--length is a list"});
+    expect_refusal(run(smallest + "--width 2 --length 5 --max-changes 1 --strategy stepping"),
+                   {"--strategy", "fewest"});
+    expect_refusal(run(smallest + "--width 2 --max-changes 2-5"), {"--max-changes", "write 2:5:1"});
+    expect_refusal(run(smallest + "--width 1.8-2.4 --max-changes 2"), {"--width", "write 1.8:2.4:0.01"});
+    expect_refusal(run(smallest + "--width 2 --max-changes 2 --draw x.svg"), {"--draw", "one slot"});
+    expect_refusal(run(smallest + "--width 2,3 --length 5"), {"--width is a list"});
+    expect_refusal(run(smallest + "--width 2 --extra-width 1 --max-changes 1"),
+                   {"--width", "--extra-width", "exclude"});
     for (const char* bad : {"2.4:1.8:0.1", "1.8:2.4:0", "1.8:2.4:-0.1", "1.8:2.4", "nan", "nan:2:0.1", "1.8:inf:0.1",
                             "-2", "0", "2,,3", ",", "2m", "1.8:2.4:0.1:1", "1:2:1e-9", "1e7"})
         expect_refusal(run({"min-slot", "--car", "renault-zoe", "--max-changes", "1", "--width", bad}), {"--width"});
@@ -303,7 +296,7 @@ TEST(MinSlot, BadInputIsNamed) {
     for (const char* bad : {"", "-1", "1.5", "1e1", "5:1:1", "0:5:0", "100001", "nan", "one"})
         expect_refusal(run({"min-slot", "--car", "renault-zoe", "--width", "2", "--max-changes", bad}),
                        {"--max-changes"});
-    const std::string asked = zoe + "--width 2 --max-changes 1 ";
+    const std::string asked = smallest + "--width 2 --max-changes 1 ";
     expect_refusal(run(asked + "--min-range 2"), {"--min-range", "1.57"});
     expect_refusal(run(asked + "--min-range nan"), {"--min-range"});
     expect_refusal(run(asked + "--clearance -1"), {"--clearance"});
@@ -314,14 +307,14 @@ TEST(MinSlot, BadInputIsNamed) {
     expect_refusal(run(asked + "--length-step 0.1"), {"--length-step", "stepping"});
     expect_refusal(run(asked + "--strategy stepping --length-step 0"), {"--length-step"});
     expect_refusal(run(asked + "--strategy stepping --width-step 0.1"), {"--width-step", "--length-step"});
-    expect_refusal(run(zoe + "--length 5 --max-changes 1 --max-length 6"), {"--max-length", "--width"});
-    expect_refusal(run(zoe + "--length 5 --width 2 --strategy stepping"), {"--strategy"});
+    expect_refusal(run(smallest + "--length 5 --max-changes 1 --max-length 6"), {"--max-length", "--width"});
+    expect_refusal(run(smallest + "--length 5 --width 2 --strategy stepping"), {"--strategy"});
     expect_refusal(run(asked + "--format xml"), {"--format", "text, json or csv"});
 }
 
 TEST(MinSlot, PlacesThatCannotBeWritten) {
     const Folder folder;
-    const std::string asked = zoe + "--width 2 --max-changes 1 ";
+    const std::string asked = smallest + "--width 2 --max-changes 1 ";
     expect_refusal(run(asked + "-o " + folder.file("none/x")), {"--output", "none/x"});
     expect_refusal(run(asked + "-o /dev/full"), {"--output", "No space left"});
     expect_refusal(run(asked, "/dev/full"), {"standard output", "No space left"});
@@ -350,7 +343,7 @@ TEST(MinSlot, MillionsOfPointsAreWarnedOfAndFitInMemory) {
     const Folder folder;
     const std::string file = folder.file("answer.csv");
     const long memory =
-        interrupted(zoe + "--max-changes 0,1 --width 1.9:2.9:0.000001 --format csv -o " + file, folder, 300'000);
+        interrupted(smallest + "--max-changes 0,1 --width 1.9:2.9:0.000001 --format csv -o " + file, folder, 300'000);
     EXPECT_LT(memory, 1'000'000'000L);
     EXPECT_NE(contents(folder.file("err")).find("2000002 points"), std::string::npos) << contents(folder.file("err"));
     EXPECT_FALSE(std::filesystem::exists(file));
@@ -360,7 +353,7 @@ TEST(MinSlot, CtrlCLeavesAFileAsItWas) {
     for (const useconds_t after : {0U, 20'000U, 200'000U}) {
         const Folder folder;
         const std::string file = folder.with("answer.json", "old");
-        interrupted(zoe + "--max-changes 100 --width 1.9:2.9:0.0001 --format json -o " + file, folder, after);
+        interrupted(smallest + "--max-changes 100 --width 1.9:2.9:0.0001 --format json -o " + file, folder, after);
         EXPECT_EQ(contents(file), "old");
     }
 }

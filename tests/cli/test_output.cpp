@@ -5,12 +5,10 @@
 #include <chrono>
 #include <csignal>
 
-#include "process.hpp"
+#include "questions.hpp"
 
 namespace snug::test {
 namespace {
-
-const std::string zoe = "entry --car renault-zoe --length 5 --width 2 ";
 
 TEST(Output, AFileHoldsWhatStandardOutputWould) {
     const Folder folder;

@@ -283,11 +283,11 @@ TEST(ParkCommand, ANoNamesAWayOutThatDoes) {
 }
 
 TEST(LeaveCommand, ANoNamesAWayOutThatDoes) {
-    const std::string leave = "leave --car renault-zoe --width 2 --gap-front 0.5 --gap-curb 0.1 ";
-    const Result no = run(leave + "--length 5.2 --max-changes 2");
+    const std::string tight = "leave --car renault-zoe --width 2 --gap-front 0.5 --gap-curb 0.1 ";
+    const Result no = run(tight + "--length 5.2 --max-changes 2");
     EXPECT_EQ(no.exit_code, 1);
-    EXPECT_EQ(run(leave + "--length 5.2 " + would_do(no.out, "more changes")).exit_code, 0) << no.out;
-    EXPECT_EQ(run(leave + would_do(no.out, "a longer slot") + " --max-changes 2").exit_code, 0) << no.out;
+    EXPECT_EQ(run(tight + "--length 5.2 " + would_do(no.out, "more changes")).exit_code, 0) << no.out;
+    EXPECT_EQ(run(tight + would_do(no.out, "a longer slot") + " --max-changes 2").exit_code, 0) << no.out;
 }
 
 TEST(LeaveCommand, WhereTimeRanOutNothingIsClaimedOfTheWay) {

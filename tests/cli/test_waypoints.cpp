@@ -1,12 +1,11 @@
 // --waypoints and --trajectory write what path followers read, or say why not before anything is written.
 #include <nlohmann/json.hpp>
 
-#include "process.hpp"
+#include "questions.hpp"
 
 namespace snug::test {
 namespace {
 
-const std::string zoe = "entry --car renault-zoe --length 5 --width 2 ";
 const std::string out = "leave --car renault-zoe --length 5 --width 2 --gap-front 0.3 --gap-curb 0.1 ";
 
 std::size_t rows(const std::string& csv) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "model/angles.hpp"
+#include "numbers.hpp"
 #include "random_maneuvers.hpp"
 #include "sample.hpp"
 
@@ -16,8 +17,6 @@ namespace {
 namespace angles = snug::angles;
 
 constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// How far off a result is, in units in the last place of the true value.
 double ulps(double got, long double exact) {

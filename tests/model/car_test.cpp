@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "numbers.hpp"
 #include "random_maneuvers.hpp"
 #include "refusals.hpp"
 #include "sample.hpp"
@@ -12,9 +13,6 @@
 namespace model {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr snug::CarDimensions zoe{1.771, 3.427, 0.657, 2.588, 33 * degree};
 
 TEST(Car, HasTheDimensionsAndTheNameItWasGiven) {

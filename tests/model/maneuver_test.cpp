@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "numbers.hpp"
 #include "random_maneuvers.hpp"
 #include "refusals.hpp"
 #include "sample.hpp"
@@ -16,9 +17,7 @@ namespace {
 
 using snug::Direction;
 
-constexpr double degree = std::numbers::pi / 180.0;
-
-snug::Car zoe() { return snug::Car({1.771, 3.427, 0.657, 2.588, 33 * degree}); }
+snug::Car renault() { return snug::Car({1.771, 3.427, 0.657, 2.588, 33 * degree}); }
 
 void expect_same(const snug::Pose& a, const snug::Pose& b, double tolerance) {
     EXPECT_NEAR(a.x, b.x, tolerance);
@@ -51,9 +50,9 @@ snug::Box sampled_box(const snug::Maneuver& maneuver, double spacing) {
 
 TEST(Drive, StraightKeepsTheHeading) {
     const snug::Pose start{1.0, 2.0, 0.6};
-    const snug::Pose ahead = drive(zoe(), start, Direction::forward, 0.0, 5.0);
+    const snug::Pose ahead = drive(renault(), start, Direction::forward, 0.0, 5.0);
     expect_same(ahead, {1.0 + 5.0 * std::cos(0.6), 2.0 + 5.0 * std::sin(0.6), 0.6}, 1e-15);
-    const snug::Pose behind = drive(zoe(), start, Direction::backward, 0.0, 5.0);
+    const snug::Pose behind = drive(renault(), start, Direction::backward, 0.0, 5.0);
     expect_same(behind, {1.0 - 5.0 * std::cos(0.6), 2.0 - 5.0 * std::sin(0.6), 0.6}, 1e-15);
 }
 
@@ -127,7 +126,7 @@ TEST(Drive, ForwardUndoesBackward) {
 TEST(Drive, NoDistanceIsNoMotion) {
     const snug::Pose start{1.25, -3.5, 0.7};
     for (const double steering : {0.0, 1e-300, 0.3, -33 * degree}) {
-        const snug::Pose end = drive(zoe(), start, Direction::forward, steering, 0.0);
+        const snug::Pose end = drive(renault(), start, Direction::forward, steering, 0.0);
         EXPECT_EQ(end.x, start.x);
         EXPECT_EQ(end.y, start.y);
         EXPECT_EQ(end.heading, start.heading);
@@ -137,7 +136,7 @@ TEST(Drive, NoDistanceIsNoMotion) {
 TEST(Drive, GentleSteeringBendsTheLineByHalfTheCurvatureTimesTheSquare) {
     // On so large a circle y = distance^2 / 2 radius to the last digits, which a centre far away would have swallowed.
     for (const double curvature : {1e-5, 1e-8, 1e-12, 1e-100, 1e-300}) {
-        const snug::Car car = zoe();
+        const snug::Car car = renault();
         const double steering = std::atan(curvature * car.wheelbase());
         const snug::Pose end = drive(car, {}, Direction::forward, steering, 3.0);
         EXPECT_NEAR(end.x, 3.0, 1e-9);
@@ -148,7 +147,7 @@ TEST(Drive, GentleSteeringBendsTheLineByHalfTheCurvatureTimesTheSquare) {
 
 TEST(Maneuver, CountsTheChangesOfDirectionOnly) {
     const auto with = [](std::initializer_list<Direction> directions) {
-        snug::Maneuver maneuver{zoe(), {}};
+        snug::Maneuver maneuver{renault(), {}};
         for (const Direction direction : directions) {
             snug::Move move;
             move.direction = direction;
@@ -219,7 +218,7 @@ TEST(Maneuver, PosesAtAnImpossibleSpacingAreRefused) {
 }
 
 TEST(Maneuver, WithoutMovesHasNoPosesAndSweepsNothing) {
-    const snug::Maneuver maneuver{zoe(), {}};
+    const snug::Maneuver maneuver{renault(), {}};
     EXPECT_TRUE(maneuver.poses(0.1).empty());
     expect_same(swept(maneuver), {}, 0.0);
 }
@@ -244,7 +243,7 @@ TEST(Swept, ContainsEveryFrameAndTouchesThem) {
 }
 
 TEST(Swept, ByAFullCircleIsTheSquareAroundTheFarthestCorner) {
-    const snug::Car car = zoe();
+    const snug::Car car = renault();
     const double r = car.turning_radius();
     snug::Move circle;
     circle.direction = Direction::forward;
@@ -262,7 +261,7 @@ TEST(Swept, ByAFullCircleIsTheSquareAroundTheFarthestCorner) {
 }
 
 TEST(Swept, ByAStandingCarIsItsFrame) {
-    const snug::Car car = zoe();
+    const snug::Car car = renault();
     snug::Move standing;
     standing.steering_angle = car.max_steer();
     expect_same(snug::swept({car, {standing}}), {-0.657, 3.427, -1.771 / 2, 1.771 / 2}, 1e-15);

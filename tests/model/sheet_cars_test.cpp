@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "numbers.hpp"
 #include "snug/car.hpp"
 
 namespace model {
@@ -87,7 +88,6 @@ TEST(SheetCars, TurnInTheCircleOfTheirSheets) {
 }
 
 TEST(SheetCars, AreCarsThatPeopleDrive) {
-    constexpr double degree = std::numbers::pi / 180.0;
     for (const snug::SheetCar& known : snug::sheet_cars()) {
         const snug::Car& car = known.car;
         EXPECT_TRUE(car.length() > 3.5 && car.length() < 5.5) << car.name();

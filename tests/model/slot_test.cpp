@@ -5,15 +5,13 @@
 #include <limits>
 #include <numbers>
 
+#include "numbers.hpp"
 #include "random_maneuvers.hpp"
 #include "refusals.hpp"
 #include "sample.hpp"
 
 namespace model {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 snug::SlotDimensions default_slot() { return {5.1, 2.2, snug::Side::right, {0.0, 0.0}, 0.0}; }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "numbers.hpp"
 #include "random_maneuvers.hpp"
 #include "refusals.hpp"
 #include "sample.hpp"
@@ -181,7 +182,6 @@ TEST(Trajectory, OfWhatDoesNotMoveTakesNoTime) {
 TEST(Trajectory, WithImpossibleLimitsIsRefused) {
     Random random(5);
     const snug::Maneuver maneuver = random_maneuver(random);
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {0.0, -1.0, 1e-4, 1e4, nan}) {
         EXPECT_EQ(refusal([&] { (void)trajectory(maneuver, {.speed = bad}); }).find("greatest speed is "), 0U);
         EXPECT_EQ(refusal([&] { (void)trajectory(maneuver, {.acceleration = bad}); }).find("acceleration is "), 0U);

@@ -101,7 +101,7 @@ const table = {
     "rear-setback": { title: "Rear setback [m]", what: "The rear setback", low: 0, high: 10, unit: "m", ...of("rearSetback") },
     clearance: { title: "Clearance [m]", what: "The clearance", low: 0, high: 1, unit: "m", ...of("clearance") },
     heading: {
-        title: "Heading [°]", what: "The entry heading", low: 0, high: 90, unit: "°", empty: "best",
+        title: "Entry heading [°]", what: "The entry heading", low: 0, high: 90, unit: "°", empty: "best",
         get: ({ heading }) => heading && degrees(heading),
         set: (inputs, value) => ({ ...inputs, heading: value === null ? null : radians(value) }),
     },
