@@ -60,15 +60,17 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
     let [since, sinceStill, wayless] = [NaN, NaN, NaN]; // not a number: told already
     const tellTimes = () => {
         const now = performance.now();
-        if (since && state.lookedAt === state.pose) {
+        // Not from the map of a moment ago.
+        const mapped = state.lookedAt === state.pose && map.state()?.current;
+        if (since && (state.exact ?? state.proved ?? mapped)) {
             times.answers.push(now - since);
             since = NaN;
         }
-        if (wayless && !listener.busy() && (state.exact ?? state.proved ?? (state.lookedAt === state.pose && state.way))) {
+        if (wayless && !listener.busy() && (state.exact ?? state.proved ?? (mapped && state.way))) {
             times.ways.push(now - wayless);
             wayless = NaN;
         }
-        if (sinceStill && !listener.busy() && (state.exact ?? state.proved ?? (state.way && state.bounds?.proved))) {
+        if (sinceStill && !listener.busy() && (state.exact ?? state.proved ?? (mapped && state.way && state.bounds?.proved))) {
             times.proofs.push(now - sinceStill);
             sinceStill = NaN;
         }
