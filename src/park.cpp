@@ -25,6 +25,7 @@ using namespace detail::sets;
 
 using limits::half_turn;
 constexpr double usual_part = 1.0 / 800;    ///< of the car's length: the usual resolution
+constexpr int finer_where_cheap = 2;        ///< times half of that
 constexpr double coarsest_part = 1.0 / 50;  ///< and no lattice is coarser
 constexpr double most_cells = 2e7;          ///< of the coarsest lattice
 using limits::touching;
@@ -80,8 +81,11 @@ bool holds_nothing(const detail::sets::Limits& limits) {
 }
 
 /// Throws Error when the car would have room to park if it were not for the obstacles: then nobody meant the goal to be there.
-/// (A clearance that leaves no room is another matter.)
-void check_goal(const Car& car, const Place& place, const Pose& start, double h) {
+/// (A clearance that leaves no room is another matter, be it to one obstacle alone.)
+void check_goal(const Car& car, const Place& asked, const Pose& start, double h) {
+    PlaceDescription bare{asked.obstacles(), asked.parked(), asked.region()};
+    for (PlaceObstacle& obstacle : bare.obstacles) obstacle.clearance.reset();
+    const Place place(std::move(bare));
     Chart chart;
     ChartPlace here = chart_place(car, place, start, 0.0, chart);
     const auto room = [&] { return !holds_nothing(OuterLattice(here, h, h, nullptr, [] {}).parked()); };
@@ -129,6 +133,7 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
 
     const double length = car.length();
     question.finest = options.resolution > 0.0 ? options.resolution : usual_part * length;
+    question.finer = options.resolution > 0.0 ? 0 : finer_where_cheap;
     const double sensible = std::min(coarsest_part * length, question.place.radius / 32.0);
     question.finest = std::min(question.finest, sensible);
     question.coarsest = question.finest;

@@ -20,8 +20,8 @@ using ParkProgress = FewestProgress;
 struct ParkOptions {
     int max_changes = 200;   ///< direction changes allowed, 0 to 1000
     double clearance = 0.0;  ///< grows the frame for contacts [m]
-    /// Spacing of the finest lattice the bounds are computed on [m]; 0: an eight-hundredth of the car's length. Coarser ones are
-    /// tried first, and the search ends where the bounds meet.
+    /// Spacing of the finest lattice the bounds are computed on [m]; 0: an eight-hundredth of the car's length, or up to four times
+    /// finer where that takes seconds. Coarser ones are tried first, and the search ends where the bounds meet.
     double resolution = 0.0;
     double time_limit = std::numeric_limits<double>::infinity();  ///< ends with the bounds found so far [s]
     bool roomiest =

@@ -18,6 +18,8 @@
 namespace snug::detail::sets {
 
 constexpr double wary = 1e-7;  ///< so much is kept from the ends of intervals: sums are rounded [m]
+/// So far outside of them a car that touches something may be: they are clipped twice. [m]
+constexpr double at_an_end = 2.0 * wary + 1e-8;
 
 /// Intervals of y for nodes.
 struct InnerSet {
@@ -30,12 +32,13 @@ struct InnerSet {
         [[nodiscard]] const Interval* begin() const { return first; }
         [[nodiscard]] const Interval* end() const { return last; }
         [[nodiscard]] bool empty() const { return first == last; }
-        /// How far y is inside one of them; negative outside.
+        /// How far y is inside one of them, less than nothing at their very ends; -1 outside.
         [[nodiscard]] double room(double y) const {
             double most = -1.0;
-            for (const Interval& interval : *this)
-                if (y >= interval.low && y <= interval.high)
-                    most = std::max(most, std::min(y - interval.low, interval.high - y));
+            for (const Interval& interval : *this) {
+                const double inside = std::min(y - interval.low, interval.high - y);
+                if (inside >= -at_an_end) most = std::max(most, inside);
+            }
             return most;
         }
     };
@@ -80,7 +83,7 @@ public:
     /// Everything from which a move leads back to `starts`, within `limits` of the lattice of lower bounds.
     [[nodiscard]] InnerSet sweep(const InnerSet& starts, const Limits& limits, Direction direction,
                                  const Watching& watch);
-    [[nodiscard]] bool holds_start(const InnerSet& set) const { return set.at(0, 0).room(start_.y) >= 0.0; }
+    [[nodiscard]] bool holds_start(const InnerSet& set) const { return set.at(0, 0).room(start_.y) > -1.0; }
 
     std::size_t updates = 0;
 

@@ -288,9 +288,10 @@ std::optional<int> changes_along(const ChartPlace& place, double h, double h0, c
     return changes;
 }
 
-constexpr int tried_above = 2;    ///< counts above the lower bound for which a lattice looks for a way
-constexpr int far_above = 40;     ///< and how far the coarse ones look for where to begin
-constexpr int many_changes = 20;  ///< from so many on finer lattices count first
+constexpr int tried_above = 2;                 ///< counts above the lower bound for which a lattice looks for a way
+constexpr int far_above = 40;                  ///< and how far the coarse ones look for where to begin
+constexpr int many_changes = 20;               ///< from so many on finer lattices count first
+constexpr std::size_t soon_done = 80'000'000;  ///< cells computed, when halving the finest spacing again takes seconds
 
 /// Places that want the car parked better: close to the parked heading, and well inside; the last is as asked.
 std::vector<ChartPlace> better_parked(const ChartPlace& place, double h) {
@@ -443,7 +444,8 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         if (!question.roomiest || !bounds.upper) return;
         // A lattice that just holds a way may not hold one that keeps a distance, but the next one may.
         std::vector<Path> way;
-        for (double h = found_at; way.empty() && h > 0.999 * question.finest && h > 0.4 * found_at; h /= 2.0)
+        for (double h = found_at; way.empty() && h > 0.999 * std::min(question.finest, found_at) && h > 0.4 * found_at;
+             h /= 2.0)
             way = driven_at(*bounds.upper, h);
         if (way.empty()) way = polished(question.place, bounds.way);
         if (changes_of(way) == *bounds.upper && is_drivable(question.place, way)) bounds.way = std::move(way);
@@ -458,12 +460,16 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         }
     };
     try {
-        for (double h = h0; h > 0.999 * question.finest && !bounds.meet(); h /= 2.0) {
+        const double finest = question.finest / std::ldexp(1.0, question.finer);
+        for (double h = h0; h > 0.999 * finest && !bounds.meet(); h /= 2.0) {
+            if (h < 0.999 * question.finest && bounds.updates > soon_done) break;
             // What is left for the lower bound at this spacing; each count that turns out impossible moves it up.
             std::optional<Left> left;
             while (!left && !bounds.meet() && bounds.lower <= question.max_changes) {
                 left = left_for(bounds.lower, h);
-                if (!left) ++bounds.lower;
+                if (left) continue;
+                ++bounds.lower;
+                bounds.spacing = h;
             }
             if (!left) break;
             bounds.spacing = h;

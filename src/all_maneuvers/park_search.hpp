@@ -14,6 +14,7 @@ struct ParkQuestion {
     ChartPlace place;
     int max_changes = 200;
     double coarsest = 0.08, finest = 0.01;  ///< spacings, a power of two apart [m]
+    int finer = 0;  ///< how many times the finest is halved where so little is left that this is soon done
     bool roomiest = true;
 };
 

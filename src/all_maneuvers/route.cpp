@@ -33,11 +33,14 @@ std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& ch
             const auto room_at = [&](const At& next) { return towards.at(next.row, next.column).room(next.y); };
             const At to_left = stepper.from(at, left), to_right = stepper.from(at, right);
             const double left_room = room_at(to_left), right_room = room_at(to_right);
-            // Across the cell, turning off after a part of the first arc: what that gains depends on where.
+            // Across the cell, turning off after a part of the first arc: what that gains depends on where. At the chart's edge
+            // there is no cell to go across.
+            const bool in_chart = std::abs(lattice.sine(to_left.column)) <= steepest_sine &&
+                                  std::abs(lattice.sine(to_right.column)) <= steepest_sine;
             At across = {at.row + 2 * stepper.way, at.column, at.y};
             double across_room = -1.0;
             const double one = 2.0 * (to_left.y - at.y), other = 2.0 * (to_right.y - at.y);
-            for (const Interval& interval : towards.at(across.row, across.column)) {
+            for (const Interval& interval : in_chart ? towards.at(across.row, across.column) : InnerSet::Range{}) {
                 const double from = std::max(at.y + std::min(one, other), interval.low);
                 const double to = std::min(at.y + std::max(one, other), interval.high);
                 if (from > to) continue;
@@ -50,7 +53,8 @@ std::vector<Path> way_by_steps(const InnerLattice& lattice, const InnerChain& ch
             }
             const double most = std::max({left_room, right_room, across_room});
             if (room_here >= 0.0 && (room_here > enough_room || most <= room_here + worth_a_step)) break;
-            if (most < 0.0) return {};
+            if (most <= -1.0 && room_here > -1.0) break;
+            if (most <= -1.0) return {};
             if (left_room >= right_room && left_room >= across_room) {
                 add_step(lattice, way, pose, at.column, left, direction);
                 at = to_left;

@@ -194,8 +194,11 @@ Pose standard_start(const Street& street, const Car& car) {
     const StreetFrame frame(street);
     if (street.angle == 0.0) {
         // Where the road is too narrow for that, in the middle of it.
-        const double aside = car.outline().right() + 1.0;
-        const bool fits = !street.road || aside + car.outline().left() <= *street.road;
+        const bool right = street.side == Side::right;
+        const double slot_side = right ? car.outline().right() : car.outline().left();
+        const double road_side = right ? car.outline().left() : car.outline().right();
+        const double aside = slot_side + 1.0;
+        const bool fits = !street.road || aside + road_side <= *street.road;
         return frame.slot().to_world(Pose{car.rear(), fits ? aside : *street.road / 2.0, 0.0});
     }
     const double middle = std::min(street.road.value_or(6.0), 6.0) / 2.0;

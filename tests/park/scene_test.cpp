@@ -6,6 +6,7 @@
 #include <string>
 
 #include "park/judge.hpp"
+#include "snug/entry.hpp"
 #include "snug/error.hpp"
 #include "snug/park.hpp"
 
@@ -72,6 +73,38 @@ TEST(Park, RefusesStartsThatMeetSomethingAndSaysWithWhat) {
     }
     EXPECT_THROW(static_cast<void>(park(zoe, scene.place, {100, 4, 0})), snug::Error);
     EXPECT_THROW(static_cast<void>(park(zoe, scene.place, {12, 4, 3.1})), snug::Error);
+}
+
+/// The stops of the paper's maneuver touch a neighbour each; from there it takes no more changes than are left of it.
+TEST(Park, FindsTheWayFromAPoseThatTouches) {
+    const snug::Car zoe = *snug::find_car("renault-zoe");
+    const snug::Slot slot({.length = 4.5, .width = 2.0});
+    const std::vector<snug::Move> moves = entry(zoe, slot).maneuver.value().moves;
+    const snug::Place place = snug::street_place({.length = 4.5, .width = 2.0});
+    snug::ParkOptions options;
+    options.roomiest = false;
+    for (std::size_t left = 1; left <= 3; ++left) {
+        const snug::Move& move = moves[moves.size() - 1 - left];
+        ASSERT_TRUE(move.contact);
+        const snug::ParkAnswer answer = park(zoe, place, move.end, options);
+        ASSERT_TRUE(answer.maneuver) << left;
+        EXPECT_LE(*answer.direction_changes, static_cast<int>(left) - 1);
+        EXPECT_EQ(park_test::verdict(zoe, place, move.end, answer), "");
+    }
+}
+
+/// A distance to the curb that no car can keep in the bay is nothing that somebody left in the bay.
+TEST(Park, ACurbClearanceThatLeavesNoRoomIsAnAnswer) {
+    const snug::Car zoe = *snug::find_car("renault-zoe");
+    const snug::Street street{.length = 5.2, .width = 2.0, .road = 3.5, .curb_clearance = 0.3};
+    EXPECT_TRUE(park(zoe, street_place(street), standard_start(street, zoe)).impossible);
+}
+
+/// 1 m from the neighbours, on whatever side they are, also of a car that is not the same on both.
+TEST(Place, TheUsualStartIsMeasuredFromTheSideOfTheSlot) {
+    const snug::Car lopsided(snug::Outline({{3.4, 1.1}, {-0.7, 1.1}, {-0.7, -0.8}, {3.4, -0.8}}), 2.5, 0.6);
+    EXPECT_DOUBLE_EQ(standard_start({.length = 5.0, .width = 2.5}, lopsided).y, 1.8);
+    EXPECT_DOUBLE_EQ(standard_start({.length = 5.0, .width = 2.5, .side = snug::Side::left}, lopsided).y, -2.1);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ struct Box {
     double min = 0.0, max = 0.0;
     double middle = 0.0, half = 0.0;  ///< its headings are middle + t * half with t in [-1, 1]
     bool doubtful = false;            ///< it may be no entry position
+    int ends_in = -1;                 ///< a range of this move, and it is too narrow to tell more; nothing parks before
     int driven = 0;                   ///< so many moves
     State state;                      ///< after them
 
@@ -72,12 +73,18 @@ struct Starts {
 struct Failure {
     enum Kind : unsigned char { halve, at_root, beside_graze } kind = halve;
     Form quantity;
+    bool parking = false;  ///< cars park in this move where the quantity has one sign, and only there
     /// The lowest corner grazes the curb, in this stage: it meets it in `at`, or (unless `surely`) passes.
     bool grazes = false;
     bool surely = false;
     std::size_t stage = 0;
     HeadingForm at;
 };
+
+/// Does a quantity have both signs in the box, for sure?
+inline bool changes_sign(const Form& quantity) {
+    return std::abs(quantity.mid) + quantity.noise() < std::abs(quantity.along);
+}
 
 inline Failure at_root_of(const Form& quantity) {
     Failure failure;

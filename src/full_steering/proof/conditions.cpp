@@ -1,5 +1,8 @@
 #include "full_steering/proof/conditions.hpp"
 
+#include <initializer_list>
+#include <utility>
+
 #include "model/angles.hpp"
 
 namespace snug::detail::proof {
@@ -22,29 +25,66 @@ struct Extremes {
     }
 };
 
+/// A polygon, and what is asked of it for every condition.
+struct Shape {
+    const std::vector<Point>& corners;
+    std::vector<Point> normals;  ///< of the edge that begins at each corner
+    double size;
+
+    explicit Shape(const std::vector<Point>& of) : corners(of), size(size_of(of)) {
+        normals.reserve(of.size());
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            const Point& a = of[i];
+            const Point& b = of[(i + 1) % of.size()];
+            const double dx = b.x - a.x;
+            const double dy = b.y - a.y;
+            const double length = angles::hypot(dx, dy);
+            normals.push_back({dy / length, -dx / length});
+        }
+    }
+};
+
+/// The same obstacle seen from both turning centres: its stages are the same, and so is what its conditions are about.
+struct Seen {
+    std::vector<Stage> stages;
+    std::array<std::vector<Condition>, 2> conditions;
+
+    [[nodiscard]] std::size_t count() const { return conditions[0].size(); }
+};
+
 class Maker {
 public:
-    Maker(const ProofProblem& problem, double offset) : problem_(problem), offset_(offset) {}
+    explicit Maker(const ProofProblem& problem)
+        : problem_(problem), body_(problem.body), at_curb_(problem.at_curb), frame_(problem.frame) {}
 
-    [[nodiscard]] Steering make() const {
-        Steering steering;
-        steering.across = 2.0 * offset_;
-        steering.of[front] = neighbour(true);
-        steering.of[rear] = neighbour(false);
-        steering.of[curb] = ground();
-        steering.of[goal] = inside();
-        steering.note_reach();
+    [[nodiscard]] std::array<Steering, 2> make() const {
+        std::array<Steering, 2> steering;
+        for (const Met met : {front, rear, curb, goal}) {
+            Seen seen = met == curb ? ground() : met == goal ? inside() : neighbour(met == front);
+            for (std::size_t way = 0; way < 2; ++way) {
+                Obstacle& obstacle = steering[way].of[met];
+                obstacle.stages = way == 0 ? seen.stages : std::move(seen.stages);
+                obstacle.conditions = std::move(seen.conditions[way]);
+                obstacle.one_condition = met == curb;
+            }
+        }
+        for (std::size_t way = 0; way < 2; ++way) {
+            steering[way].across = 2.0 * offset(way);
+            steering[way].note_reach();
+        }
         return steering;
     }
 
 private:
     enum Axis { down, right, left, up };
 
+    /// Of the turning centre, to the left of the rear axle's middle.
+    [[nodiscard]] double offset(std::size_t way) const { return way == 0 ? problem_.radius : -problem_.radius; }
+
     /// Headings at which an edge of the polygon faces one of the axes, and all quarters (stages are no longer than that).
-    static void add_stages(std::vector<Stage>& stages, const std::vector<Point>& corners,
-                           const std::vector<Axis>& axes) {
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const Point n = normal(corners, i);
+    static void add_stages(std::vector<Stage>& stages, const Shape& shape, std::initializer_list<Axis> axes) {
+        stages.reserve(stages.size() + shape.normals.size() * axes.size() + 8);
+        for (const Point& n : shape.normals) {
             for (const Axis axis : axes) {
                 switch (axis) {
                     case down: add(stages, -n.y, -n.x); break;
@@ -64,7 +104,9 @@ private:
         stages.push_back(stage);
     }
 
-    static void finish(std::vector<Stage>& stages) {
+    /// `conditions`: of a stage, at most or so.
+    static void finish(Seen& seen, std::size_t conditions) {
+        std::vector<Stage>& stages = seen.stages;
         add(stages, 1.0, 0.0);
         add(stages, 0.0, 1.0);
         add(stages, -1.0, 0.0);
@@ -73,11 +115,12 @@ private:
             if (stage.angle <= -pi + 1e-16) stage.angle = pi;
         }
         std::sort(stages.begin(), stages.end(), [](const Stage& a, const Stage& b) { return a.angle > b.angle; });
-        std::vector<Stage> kept;
+        std::size_t kept = 0;
         for (const Stage& stage : stages) {
-            if (kept.empty() || kept.back().angle - stage.angle > 4e-16) kept.push_back(stage);
+            if (kept == 0 || stages[kept - 1].angle - stage.angle > 4e-16) stages[kept++] = stage;
         }
-        stages = kept;
+        stages.resize(kept);
+        for (std::vector<Condition>& all : seen.conditions) all.reserve(kept * conditions);
     }
 
     static double middle(const std::vector<Stage>& stages, std::size_t i) {
@@ -85,129 +128,118 @@ private:
         return 0.5 * (stages[i].angle + end);
     }
 
-    static Point normal(const std::vector<Point>& corners, std::size_t i) {
-        const Point& a = corners[i];
-        const Point& b = corners[(i + 1) % corners.size()];
-        const double dx = b.x - a.x;
-        const double dy = b.y - a.y;
-        const double length = angles::hypot(dx, dy);
-        return {dy / length, -dx / length};
-    }
-
     /// A corner, sixteen roundings of its place, eight of what a stage that begins a little too late may do to it.
-    [[nodiscard]] Condition corner(Condition::Kind kind, const std::vector<Point>& corners, std::size_t i, double level,
-                                   double level_error = 0.0) const {
-        Condition condition;
-        condition.kind = kind;
-        condition.x = corners[i].x;
-        condition.y = corners[i].y - offset_;
-        condition.level = level;
-        condition.error = unit * (16.0 * (std::abs(condition.x) + std::abs(condition.y) + std::abs(offset_)) +
-                                  16.0 * size_of(corners) + 2.0 * std::abs(level)) +
-                          level_error;
-        condition.make_linear();
-        return condition;
+    void add_corner(Seen& seen, Condition::Kind kind, const Shape& shape, std::size_t i, double level,
+                    double level_error = 0.0) const {
+        for (std::size_t way = 0; way < 2; ++way) {
+            Condition& condition = seen.conditions[way].emplace_back();
+            condition.kind = kind;
+            condition.x = shape.corners[i].x;
+            condition.y = shape.corners[i].y - offset(way);
+            condition.level = level;
+            condition.error = unit * (16.0 * (std::abs(condition.x) + std::abs(condition.y) + std::abs(offset(way))) +
+                                      16.0 * shape.size + 2.0 * std::abs(level)) +
+                              level_error;
+            condition.make_linear();
+        }
     }
 
-    [[nodiscard]] Condition edge(const std::vector<Point>& corners, std::size_t i, Point at, double at_error) const {
-        const Point n = normal(corners, i);
-        Condition condition;
-        condition.kind = Condition::inside;
-        condition.x = n.x;
-        condition.y = n.y;
-        condition.level = corners[i].x * n.x + (corners[i].y - offset_) * n.y;
-        condition.edge = i;
-        condition.kx = at.x;
-        condition.ky = at.y;
-        condition.error =
-            unit * 32.0 * (size_of(corners) + std::abs(offset_) + std::abs(at.x) + std::abs(at.y)) + at_error;
-        return condition;
+    void add_edge(Seen& seen, const Shape& shape, std::size_t i, Point at, double at_error) const {
+        const Point& n = shape.normals[i];
+        for (std::size_t way = 0; way < 2; ++way) {
+            Condition& condition = seen.conditions[way].emplace_back();
+            condition.kind = Condition::inside;
+            condition.x = n.x;
+            condition.y = n.y;
+            condition.level = shape.corners[i].x * n.x + (shape.corners[i].y - offset(way)) * n.y;
+            condition.edge = i;
+            condition.kx = at.x;
+            condition.ky = at.y;
+            condition.error =
+                unit * 32.0 * (shape.size + std::abs(offset(way)) + std::abs(at.x) + std::abs(at.y)) + at_error;
+        }
     }
 
-    [[nodiscard]] Obstacle neighbour(bool ahead) const {
-        const std::vector<Point>& body = problem_.body;
+    [[nodiscard]] Seen neighbour(bool ahead) const {
         const Point corner_at =
             ahead ? Point{0.0, -problem_.front_setback} : Point{-problem_.length, -problem_.rear_setback};
         const double error = ahead ? 0.0 : problem_.length_error;
-        Obstacle made;
-        add_stages(made.stages, body, {down, ahead ? right : left});
-        finish(made.stages);
+        Seen made;
+        add_stages(made.stages, body_, {down, ahead ? right : left});
+        finish(made, 3);
         for (std::size_t k = 0; k < made.stages.size(); ++k) {
             Stage& stage = made.stages[k];
-            const Extremes at(body, middle(made.stages, k));
-            stage.first = made.conditions.size();
+            const Extremes at(body_.corners, middle(made.stages, k));
+            stage.first = made.count();
             const std::size_t from = ahead ? at.lowest : at.leftmost;
             const std::size_t to = ahead ? at.rightmost : at.lowest;
-            if (ahead) made.conditions.push_back(corner(Condition::below, body, at.lowest, corner_at.y));
-            if (!ahead) made.conditions.push_back(corner(Condition::left_of, body, at.leftmost, corner_at.x, error));
-            for (std::size_t i = from;; i = (i + 1) % body.size()) {
+            if (ahead) add_corner(made, Condition::below, body_, at.lowest, corner_at.y);
+            if (!ahead) add_corner(made, Condition::left_of, body_, at.leftmost, corner_at.x, error);
+            for (std::size_t i = from;; i = (i + 1) % body_.corners.size()) {
                 if (ahead && i == problem_.entry_corner)
-                    stage.entry_condition = static_cast<int>(made.conditions.size() - stage.first);
+                    stage.entry_condition = static_cast<int>(made.count() - stage.first);
                 if (i == to) break;
-                made.conditions.push_back(edge(body, i, corner_at, error));
+                add_edge(made, body_, i, corner_at, error);
             }
-            if (ahead) made.conditions.push_back(corner(Condition::right_of, body, at.rightmost, corner_at.x));
-            if (!ahead) made.conditions.push_back(corner(Condition::below, body, at.lowest, corner_at.y));
-            stage.last = made.conditions.size();
+            if (ahead) add_corner(made, Condition::right_of, body_, at.rightmost, corner_at.x);
+            if (!ahead) add_corner(made, Condition::below, body_, at.lowest, corner_at.y);
+            stage.last = made.count();
         }
         return made;
     }
 
-    [[nodiscard]] Obstacle ground() const {
-        Obstacle made;
-        made.one_condition = true;
-        add_stages(made.stages, problem_.at_curb, {down});
-        finish(made.stages);
+    [[nodiscard]] Seen ground() const {
+        Seen made;
+        add_stages(made.stages, at_curb_, {down});
+        finish(made, 1);
         for (std::size_t k = 0; k < made.stages.size(); ++k) {
             Stage& stage = made.stages[k];
-            const Extremes at(problem_.at_curb, middle(made.stages, k));
-            stage.first = made.conditions.size();
-            made.conditions.push_back(
-                corner(Condition::below, problem_.at_curb, at.lowest, -problem_.width, problem_.width_error));
-            stage.last = made.conditions.size();
+            const Extremes at(at_curb_.corners, middle(made.stages, k));
+            stage.first = made.count();
+            add_corner(made, Condition::below, at_curb_, at.lowest, -problem_.width, problem_.width_error);
+            stage.last = made.count();
         }
         return made;
     }
 
     /// The frame inside the slot. Below the entry side it cannot be beside the slot without being in a neighbour, unless
     /// that begins deeper.
-    [[nodiscard]] Obstacle inside() const {
-        const std::vector<Point>& frame = problem_.frame;
-        Obstacle made;
-        add_stages(made.stages, frame, {up});
-        if (problem_.parked_curb < infinity) add_stages(made.stages, frame, {down});
-        if (problem_.front_setback > 0.0) add_stages(made.stages, frame, {right});
-        if (problem_.rear_setback > 0.0) add_stages(made.stages, frame, {left});
+    [[nodiscard]] Seen inside() const {
+        Seen made;
+        add_stages(made.stages, frame_, {up});
+        if (problem_.parked_curb < infinity) add_stages(made.stages, frame_, {down});
+        if (problem_.front_setback > 0.0) add_stages(made.stages, frame_, {right});
+        if (problem_.rear_setback > 0.0) add_stages(made.stages, frame_, {left});
         const auto [s, c] = angles::sine_cosine(problem_.parked_heading);
         add(made.stages, c, s);
         add(made.stages, c, -s);
-        finish(made.stages);
+        finish(made, 1);
         for (std::size_t k = 0; k < made.stages.size(); ++k) {
             Stage& stage = made.stages[k];
             const double heading = middle(made.stages, k);
             stage.possible = std::abs(heading) <= problem_.parked_heading;
-            const Extremes at(frame, heading);
-            stage.first = made.conditions.size();
-            made.conditions.push_back(corner(Condition::below, frame, at.highest, 0.0));
+            const Extremes at(frame_.corners, heading);
+            stage.first = made.count();
+            add_corner(made, Condition::below, frame_, at.highest, 0.0);
             if (problem_.parked_curb < infinity)
-                made.conditions.push_back(corner(Condition::below, frame, at.lowest,
-                                                 problem_.parked_curb - problem_.width, problem_.width_error));
-            if (problem_.front_setback > 0.0)
-                made.conditions.push_back(corner(Condition::left_of, frame, at.rightmost, 0.0));
+                add_corner(made, Condition::below, frame_, at.lowest, problem_.parked_curb - problem_.width,
+                           problem_.width_error);
+            if (problem_.front_setback > 0.0) add_corner(made, Condition::left_of, frame_, at.rightmost, 0.0);
             if (problem_.rear_setback > 0.0)
-                made.conditions.push_back(
-                    corner(Condition::right_of, frame, at.leftmost, -problem_.length, problem_.length_error));
-            stage.last = made.conditions.size();
+                add_corner(made, Condition::right_of, frame_, at.leftmost, -problem_.length, problem_.length_error);
+            stage.last = made.count();
         }
         return made;
     }
 
     const ProofProblem& problem_;
-    double offset_;  ///< of the centre, to the left of the rear axle's middle
+    Shape body_;
+    Shape at_curb_;
+    Shape frame_;
 };
 
 }  // namespace
 
-Steering steering_about(const ProofProblem& problem, double offset) { return Maker(problem, offset).make(); }
+std::array<Steering, 2> steerings(const ProofProblem& problem) { return Maker(problem).make(); }
 
 }  // namespace snug::detail::proof

@@ -35,7 +35,7 @@ struct Condition {
     std::size_t edge = 0;  ///< which
     double error = 0.0;    ///< of g and of its slope, by rounding in the making and in the use of the above [m]
     double a = 0.0, b = 0.0, px = 0.0, py = 0.0, k = 0.0;  ///< of a corner: g = a c + b s + px X + py Y + k
-    double radius = 0.0;                                   ///< and sqrt(a^2 + b^2)
+    double radius = 0.0, per_square = 0.0;                 ///< and sqrt(a^2 + b^2), 1 / (a^2 + b^2)
 
     void make_linear() {
         switch (kind) {
@@ -45,6 +45,7 @@ struct Condition {
             case inside: break;
         }
         radius = std::sqrt(a * a + b * b);
+        per_square = 1.0 / (a * a + b * b);
     }
 };
 
@@ -96,7 +97,7 @@ inline double size_of(const std::vector<Point>& corners) {
     return size;
 }
 
-/// Seen from a centre `offset` to the left of the middle of the rear axle: the turning radius, or its negative to the right.
-Steering steering_about(const ProofProblem& problem, double offset);
+/// Backward, about the centre on the left, and forward, about the one on the right.
+std::array<Steering, 2> steerings(const ProofProblem& problem);
 
 }  // namespace snug::detail::proof

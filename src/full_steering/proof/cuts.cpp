@@ -4,7 +4,8 @@ namespace snug::detail::proof {
 
 namespace {
 
-constexpr double narrowest = 1e-13;  ///< boxes are not cut further [rad]
+constexpr double narrowest = 1e-13;     ///< boxes are not cut further [rad]
+constexpr double end_of_range = 4e-12;  ///< that need not be known better [rad]
 
 bool straight(const State& state, double ratio, double radius) {
     const double noise = state.x_noise + state.y_noise + radius * state.start.off.noise();
@@ -60,6 +61,7 @@ void cut(const Box& box, const Outcome& outcome, const Driver& driver, double ra
             const double b = middle + half * (at + wide);
             if (b < box.max) add(b, box.max);
             add(std::max(a, box.min), std::min(b, box.max));
+            if (failure.parking && changes_sign(q) && b - a < end_of_range) boxes.back().ends_in = outcome.move;
             if (a > box.min) add(box.min, a);
             return;
         }
@@ -81,11 +83,11 @@ void cut(const Box& box, const Outcome& outcome, const Driver& driver, double ra
 bool hopeless(const Box& box, const Failure& failure) {
     if (box.max - box.min <= narrowest) return true;
     // The end of a range, most likely: it need not be known better.
-    if (failure.kind == Failure::at_root && box.max - box.min < 4e-12) return true;
+    if (failure.kind == Failure::at_root && box.max - box.min < end_of_range) return true;
     const Form& quantity = failure.quantity;
     const double noise = quantity.noise();
-    return (box.max - box.min < 4e-12 && std::abs(quantity.along) < 2.0 * noise) ||
-           (box.max - box.min < 1e-10 && std::abs(quantity.along) < 0.1 * noise && std::abs(quantity.mid) < noise);
+    return (box.max - box.min < end_of_range && std::abs(quantity.along) < 2.0 * noise) ||
+           (box.max - box.min < 5e-11 && std::abs(quantity.along) < 0.1 * noise && std::abs(quantity.mid) < noise);
 }
 
 }  // namespace snug::detail::proof

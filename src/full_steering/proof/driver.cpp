@@ -33,9 +33,9 @@ Outcome Driver::follow(int n) {
         if ((n == start || n == 1 || n % 4 == 0) && n > 0 && jams(n, outcome)) return outcome;
         const After after = mover_.move(trail_[at], trail_[at + 1], outcome);
         if (after == After::moved) continue;
-        if (outcome.what == Outcome::undecided) {
-            if (jams(n, outcome)) return outcome;
-            for (int k = start; narrow_ && k <= n; ++k)
+        const bool some_park = outcome.failure.parking && changes_sign(outcome.failure.quantity);
+        if (outcome.what == Outcome::undecided && narrow_ && !some_park) {
+            for (int k = start; k <= n; ++k)
                 if (jams(k, outcome, true)) return outcome;
         }
         return after == After::grazed ? both_ways(outcome) : outcome;

@@ -104,7 +104,8 @@ inline bool make_unit(double& c, double& s) {
 
 inline double near_angle(double c, double s, double reference) {
     const double angle = angles::atan2(s, c);
-    return angle + 2.0 * pi * std::round((reference - angle) / (2.0 * pi));
+    const double turns = reference - angle;
+    return std::abs(turns) < 3.0 ? angle : angle + 2.0 * pi * std::round(turns / (2.0 * pi));
 }
 
 /// The condition near a heading, for all cars of the box.
@@ -114,9 +115,11 @@ Gap gap_of(const Condition& of, const State& state, double c, double s);
 /// near each other. By Newton's way for intervals: where g changes its sign within `far` of the heading in the middle, and
 /// its slope does not, there is exactly one root.
 bool root_of(const Condition& of, const State& state, bool begins, double reference, HeadingForm& found);
+/// The same where that of the car in the middle, from heading_of(), is there already.
+bool root_at(const Condition& of, const State& state, bool begins, double reference, HeadingForm& found);
 
 /// For the car in the middle of the box; false if there is none.
-bool heading_of(Crossing<double> crossing, bool begins, double& c, double& s);
+bool heading_of(const Condition& of, Crossing<double> crossing, bool begins, double& c, double& s);
 
 /// The greatest value of g over a whole turn (or the least): sqrt(P^2 + Q^2) is between P and P + Q^2 / 2P.
 Form extreme_of(const Condition& of, const State& state, bool greatest);

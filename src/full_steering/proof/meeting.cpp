@@ -1,5 +1,7 @@
 #include "full_steering/proof/meeting.hpp"
 
+#include <cstdint>
+
 namespace snug::detail::proof {
 
 namespace {
@@ -147,11 +149,15 @@ private:
             }
             int failing = -1;
             if (possible(here, turns)) {
+                Told told;
                 failing = blunt_fails(here, blunt_from, last ? blunt_.until : blunt_.errors.at(obstacle_.stages[next]),
-                                      known);
+                                      known, told);
                 if (failing < 0)
-                    failing = plainly_fails(here, *from, from_wide, from_noise, *to, to_wide, to_noise, known);
-                if (failing < 0) return plainly_begins(here, stage, *from, *to, met);
+                    failing = plainly_fails(here, *from, from_wide, from_noise, *to, to_wide, to_noise, known, told);
+                if (failing < 0) {
+                    failing = plainly_begins(here, stage, *from, *to, last, told, met);
+                    if (failing < 0) return met.what != Meeting::never;
+                }
             }
             if (last) return true;
             known = failing >= 0 ? same_in(here, obstacle_.stages[next], failing) : -1;
@@ -232,8 +238,15 @@ private:
         return found(met_ == front ? Condition::below : Condition::left_of);
     }
 
+    /// What blunt numbers tell of the conditions of a stage, a bit for each; of those beyond 64 they tell nothing.
+    struct Told {
+        std::uint64_t fail_first = 0;  ///< where it begins
+        std::uint64_t hold = 0;        ///< where it begins or ends
+        static std::uint64_t bit(int index) { return index < 64 ? std::uint64_t{1} << index : 0; }
+    };
+
     /// A condition of the stage that fails all the time, told in plain numbers; -1 if there is none.
-    [[nodiscard]] int blunt_fails(const Stage& stage, const Blunt& from, const Blunt& to, int known) const {
+    [[nodiscard]] int blunt_fails(const Stage& stage, const Blunt& from, const Blunt& to, int known, Told& told) const {
         const int count = static_cast<int>(stage.last - stage.first);
         const int likely = stage.likely;
         const Condition* const conditions = obstacle_.conditions.data() + stage.first;
@@ -247,25 +260,34 @@ private:
                 stage.likely = index;
                 return index;
             }
+            const double first = gap(crossing, from.c, from.s);
+            if (first > from.value_error) {
+                told.hold |= Told::bit(index);
+                if (index != known) continue;
+            }
+            if (-first > from.value_error) told.fail_first |= Told::bit(index);
             const bool falls = crossing.b * from.c - crossing.a * from.s > from.pace_error;
-            if (!(-gap(crossing, from.c, from.s) > from.value_error) && !(index == known && falls)) continue;
+            if (!(-first > from.value_error) && !(index == known && falls)) continue;
             const double pace = crossing.b * to.c - crossing.a * to.s;
-            if ((falls && pace > to.pace_error) ||
-                (-gap(crossing, to.c, to.s) > to.value_error && (falls || -pace > to.pace_error))) {
+            const double last = gap(crossing, to.c, to.s);
+            if ((falls && pace > to.pace_error) || (-last > to.value_error && (falls || -pace > to.pace_error))) {
                 stage.likely = index;
                 return index;
             }
+            if (last > to.value_error) told.hold |= Told::bit(index);
         }
         return -1;
     }
 
     [[nodiscard]] int plainly_fails(const Stage& stage, const HeadingForm& from, double from_wide, double from_noise,
-                                    const HeadingForm& to, double to_wide, double to_noise, int known) const {
+                                    const HeadingForm& to, double to_wide, double to_noise, int known,
+                                    const Told& told) const {
         const int count = static_cast<int>(stage.last - stage.first);
         const int likely = stage.likely;
         for (int k = -1; k < count; ++k) {
             if (k == likely) continue;
             const int index = k < 0 ? likely : k;
+            if ((told.hold & Told::bit(index)) != 0 && index != known) continue;
             const Condition& condition = obstacle_.conditions[stage.first + static_cast<std::size_t>(index)];
             const Crossing<double> crossing = crossing_of(condition, state_);
             const Rough first(condition, crossing, state_, from, from_wide, from_noise);
@@ -282,32 +304,52 @@ private:
     }
 
     /// One condition fails where the stage begins and begins to hold in it, and then all others hold: that is the contact,
-    /// and there is none before.
-    [[nodiscard]] bool plainly_begins(const Stage& stage, std::size_t index, const HeadingForm& from,
-                                      const HeadingForm& to, Meeting& met) const {
+    /// and there is none before. Or it begins only beyond the end: then it fails all the time, and comes back; else -1.
+    [[nodiscard]] int plainly_begins(const Stage& stage, std::size_t index, const HeadingForm& from,
+                                     const HeadingForm& to, bool last, const Told& told, Meeting& met) const {
         std::size_t begins = stage.last;
         double best_s = 0.0, best_c = 0.0;
         for (std::size_t i = stage.first; i < stage.last; ++i) {
             const Condition& condition = obstacle_.conditions[i];
+            const std::uint64_t bit = Told::bit(static_cast<int>(i - stage.first));
             const Crossing<double> crossing = crossing_of(condition, state_);
-            if (!Rough(condition, crossing, state_, from).fails()) continue;
+            if ((told.fail_first & bit) == 0 && !Rough(condition, crossing, state_, from).fails()) continue;
             double c = 0.0, s = 0.0;
-            if (!heading_of(crossing, true, c, s)) return false;
+            if (!heading_of(condition, crossing, true, c, s)) return -1;
             if (begins != stage.last && best_s * c - best_c * s < 0.0) continue;  // another one begins later
             begins = i, best_c = c, best_s = s;
         }
-        if (begins == stage.last) return false;
-        if (!root_of(obstacle_.conditions[begins], state_, true, from.angle, met.at)) return false;
-        if (!difference(from, met.at).positive() || !difference(met.at, to).positive()) return false;
+        if (begins == stage.last) return -1;
+        met.at.c = best_c, met.at.s = best_s;
+        if (!root_at(obstacle_.conditions[begins], state_, true, from.angle, met.at)) return -1;
+        if (!difference(from, met.at).positive()) return -1;
+        // Beyond the end of the move another obstacle stops the car all the same.
+        bool late = false;
+        if (!(last && until_contact_)) {
+            const Form before = difference(met.at, to);
+            if (before.negative()) return static_cast<int>(begins - stage.first);
+            late = !before.positive();
+            if (late && met_ != goal) return -1;
+        }
+        const Blunt there = blunt_.errors.at(met.at);
         for (std::size_t i = stage.first; i < stage.last; ++i) {
             const Condition& condition = obstacle_.conditions[i];
             if (i == begins) continue;
-            if (!Rough(condition, crossing_of(condition, state_), state_, met.at).holds()) return false;
+            const Crossing<double> crossing = crossing_of(condition, state_);
+            if (gap(crossing, there.c, there.s) > there.value_error) continue;
+            if (!Rough(condition, crossing, state_, met.at).holds()) return -1;
+        }
+        if (late) {  // perhaps
+            const Doing at_end(obstacle_.conditions[begins], state_, to);
+            if (at_end.sign != Sign::unknown) return -1;
+            met.what = Meeting::undecided;
+            met.failure = at_root_of(at_end.value);
+            return -1;
         }
         met.what = Meeting::contact;
         met.touched.add(index, begins - stage.first);
         met.touched.exact = true;
-        return true;
+        return -1;
     }
 
     /// A condition of the stage that fails all the time, -1 if there is none. What all of them do at the beginning,

@@ -69,8 +69,7 @@ static void turn_over(State& state, const HeadingForm& at, double across) {
 
 Mover::Mover(const ProofProblem& problem, int max_changes)
     : problem_(problem),
-      backward_(steering_about(problem, problem.radius)),
-      forward_(steering_about(problem, -problem.radius)),
+      steerings_(steerings(problem)),
       steepest_(steepest_parked(problem)),
       sinking_(problem, steepest_),
       jam_(problem),
@@ -121,7 +120,7 @@ State Mover::enter(const Starts& starts) const {
     state.start.off = {0.0, 0.0, 0.0, 0.0, state.start.off.span()};
     state.first = false;
     // The point that would touch the corner is no farther ahead and no lower, so that condition does not hold.
-    const std::vector<Stage>& stages = backward_.of[front].stages;
+    const std::vector<Stage>& stages = steerings_[0].of[front].stages;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const double end = i + 1 < stages.size() ? stages[i + 1].angle : stages[0].angle - 2.0 * pi;
         if (stages[i].entry_condition < 0 || starts.heading > stages[i].angle + 4.0 * angle_error ||
@@ -135,7 +134,7 @@ State Mover::enter(const Starts& starts) const {
 After Mover::move(const State& state, State& then, Outcome& outcome, const Failure* graze, bool meets_curb) {
     if (sinking_.too_high(state)) return After::ended;
     ++moves_;
-    const Steering& steering = state.backward ? backward_ : forward_;
+    const Steering& steering = steerings_[state.backward ? 0 : 1];
     // What the box before met in this move is asked first.
     Met& likely = likely_[static_cast<std::size_t>(outcome.move)];
     const Met asked_first = likely;
@@ -148,11 +147,18 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
     std::array<Met, 5> order = {asked_first, static_cast<Met>((asked_first + 1) % 3),
                                 static_cast<Met>((asked_first + 2) % 3)};
     std::size_t asked = 3;
+    Failure untold;          // of the first of them
+    bool as_untold = false;  // and `until` is as it was then
     Meeting& meeting = meeting_;
     const BluntErrors errors(steering, state);
     BluntMove blunt = {errors, errors.at(state.start), errors.at(until)};
     for (std::size_t i = 0; i < asked; ++i) {
         const Met met = order[i];
+        if (i == 3 && as_untold) {
+            outcome.what = Outcome::undecided;
+            outcome.failure = untold;
+            return met == curb && untold.grazes ? After::grazed : After::ended;
+        }
         if (graze != nullptr && meets_curb && met == curb) {
             meeting.what = Meeting::contact;
             meeting.at = graze->at;
@@ -166,6 +172,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
         if (meeting.what == Meeting::never) continue;
         if (meeting.what == Meeting::stuck) return After::ended;  // no entry, or stuck for good
         if (meeting.what == Meeting::undecided && i < 2) {
+            if (asked == 3) untold = meeting.failure, as_untold = true;
             order[asked++] = met;
             continue;
         }
@@ -176,6 +183,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
         }
         if (!contact) {
             contact = true;
+            as_untold = false;
             until = meeting.at;
             blunt.until = errors.at(until);
             touched[met] = meeting.touched;
@@ -185,6 +193,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
         const Form other = off_from(until, meeting.at);
         const Form apart = until.off - other;
         if (apart.positive()) continue;
+        as_untold = false;
         if (apart.negative()) {
             for (Touched& one : touched) one.count = 0, one.exact = false;
             touched[met] = meeting.touched;
@@ -204,6 +213,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
     if (parked.what == Meeting::undecided) {
         outcome.what = Outcome::undecided;
         outcome.failure = parked.failure;
+        outcome.failure.parking = parked.failure.kind == Failure::at_root;
         return After::ended;
     }
     if (parked.what == Meeting::contact) {  // unless what stops the car comes first
@@ -215,6 +225,7 @@ After Mover::move(const State& state, State& then, Outcome& outcome, const Failu
         if (!before.negative()) {
             outcome.what = Outcome::undecided;
             outcome.failure = at_root_of(before);
+            outcome.failure.parking = true;
             return After::ended;
         }
     }

@@ -4,6 +4,7 @@
 // parks no more.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "full_steering/proof/jam.hpp"
@@ -38,7 +39,7 @@ public:
 
     /// See Jam.
     [[nodiscard]] Jammed jams(const State& state, int moves, bool anyway) const {
-        return jam_.jams(state, backward_, forward_, moves, anyway);
+        return jam_.jams(state, steerings_[0], steerings_[1], moves, anyway);
     }
 
     [[nodiscard]] std::size_t moves() const { return moves_; }  ///< driven in all
@@ -46,8 +47,7 @@ public:
 
 private:
     const ProofProblem& problem_;
-    Steering backward_;
-    Steering forward_;
+    std::array<Steering, 2> steerings_;  ///< backward, forward
     double steepest_;
     Sinking sinking_;
     Jam jam_;

@@ -94,6 +94,10 @@ private:
                 note_undecided(box, 0);
                 continue;
             }
+            if (box.ends_in >= 0) {
+                note_undecided(box, box.ends_in);
+                continue;
+            }
             const Outcome outcome = driver_.look(box, limit_);
             switch (outcome.what) {
                 case Outcome::none:
@@ -104,10 +108,13 @@ private:
                     note_range(box, outcome.move);
                     break;
                 case Outcome::undecided:
-                    if (hopeless(box, outcome.failure)) {
-                        note_undecided(box, outcome.move);
-                    } else {
+                    if (!hopeless(box, outcome.failure)) {
                         cut(box, outcome, driver_, problem_.radius, boxes_);
+                    } else if (box.driven > 0) {  // what it inherits of a wider box may be all there is in its way
+                        box.driven = 0;
+                        boxes_.push_back(box);
+                    } else {
+                        note_undecided(box, outcome.move);
                     }
                     break;
             }
@@ -175,22 +182,20 @@ private:
 }  // namespace
 
 double steepest_parked(const ProofProblem& problem, bool above) {
-    const auto height = [&](double heading) {
-        const auto [s, c] = angles::sine_cosine(above ? heading : -heading);
-        double low = infinity, high = -infinity;
-        for (const Point& corner : problem.at_curb) low = std::min(low, corner.x * s + corner.y * c);
-        for (const Point& corner : problem.frame) high = std::max(high, corner.x * s + corner.y * c);
-        return high - low;
-    };
     const double size = size_of(problem.frame) + size_of(problem.at_curb);
-    const double slack = 1e-12 * size;
+    const double room = problem.width + problem.width_error + 1e-12 * size;
     double steepest = problem.parked_heading;
-    // The height changes by no more than the sizes per radian: steps that cannot miss a fit.
-    const double speed = size;
     while (steepest > 0.0) {
-        const double over = height(steepest) - problem.width - problem.width_error;
-        if (over <= slack) break;
-        steepest -= std::max(over / speed, 1e-12);
+        const auto [s, c] = angles::sine_cosine(above ? steepest : -steepest);
+        const auto height = [sine = s, cosine = c](const Point& corner) { return corner.x * sine + corner.y * cosine; };
+        const auto lower = [&](const Point& a, const Point& b) { return height(a) < height(b); };
+        const Point low = *std::min_element(problem.at_curb.begin(), problem.at_curb.end(), lower);
+        const Point high = *std::max_element(problem.frame.begin(), problem.frame.end(), lower);
+        if (height(high) - height(low) <= room) break;
+        // These two are too far apart as long as their line is no farther than this from upright.
+        const double apart = angles::hypot(high.x - low.x, high.y - low.y);
+        const double upright = angles::atan2(above ? high.x - low.x : low.x - high.x, high.y - low.y);
+        steepest = std::min(upright - angles::acos(std::min(room / apart, 1.0)), steepest - 1e-12);
     }
     return std::max(steepest, 0.0) + 1e-9;
 }

@@ -12,12 +12,17 @@
 namespace snug::detail {
 
 std::optional<int> SingleRuns::changes_from(double heading, int most) const {
-    const int changes = direction_changes_alone(steering, heading, most);
+    const auto changes_in = [&](const FullSteering& in) {
+        const FullSteeringRun at_entry(in, heading);
+        if (!is_possible(in.problem, in.entry, heading, at_entry.heading().c, at_entry.heading().s)) return -1;
+        return direction_changes_alone(in, heading, most);
+    };
+    const int changes = changes_in(steering);
     for (const double more : {steering.problem.touch, -steering.problem.touch}) {
         FullSteering other = steering;
         other.problem.length += more;
         other.problem.width += more;
-        if (direction_changes_alone(other, heading, most) != changes) return std::nullopt;
+        if (changes_in(other) != changes) return std::nullopt;
     }
     return changes;
 }
@@ -87,8 +92,8 @@ void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found
 }
 
 ProofHints hints_from(const std::vector<CountedHeadings>& found, int changes) {
-    // Beside the end of a range every box may be so wide, and no wider, that its square is as narrow as the one before.
-    constexpr std::array beside = {1.5e-12, 1e-7, 1e-4};
+    // Around the end of a range one box in which all is straight: it is cut at the end, and its parts need the last move only.
+    constexpr std::array beside = {1e-4, 1e-2};
     constexpr double end = 1.57079632679489661923;
     ProofHints hints{changes, {}};
     for (const int i : {1, 2, 3, 4, 5, 6, 8, 11}) hints.headings.push_back(end * i / 16);
@@ -164,7 +169,10 @@ void settle(const SingleRuns& runs, std::vector<CountedHeadings>& found, const P
     // What corrections on both sides left over of a range, inside a sliver, is none unless a run shows it.
     std::vector<CountedHeadings> leftovers;
     std::erase_if(found, [&](const CountedHeadings& range) {
-        if (range.max - range.min > one_subrange) return false;
+        const bool in_sliver = std::any_of(proved.undecided.begin(), proved.undecided.end(), [&](const Sliver& sliver) {
+            return sliver.min <= range.min && range.max <= sliver.max;
+        });
+        if (range.max - range.min > one_subrange && !in_sliver) return false;
         if (runs.changes_from(0.5 * (range.min + range.max), range.changes) == range.changes) return false;
         leftovers.push_back(range);
         return true;
