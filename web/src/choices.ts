@@ -19,17 +19,17 @@ const titles: Record<string, string> = {
 const titleOf = (name: string) => titles[name] ?? name.split("-").map((word) => word.charAt(0).toUpperCase() + word.slice(1)).join(" ");
 
 const round = (value: number) => Number(value.toFixed(2));
-/** A slot or bay as wide and deep as they usually are for this car. */
-export function usualSlot(car: Car, angle: number) {
-    const long = car.front + car.rear;
-    return angle === 0 ? { length: round(1.2 * long), width: round(car.width + 0.25) } : { length: round(long + 0.6), width: round(car.width + 0.73) };
+/** A slot or bay as wide and deep as they usually are for this car, and wider by the distance to keep. */
+export function usualSlot({ front, rear, width }: Car, angle: number, clearance: number) {
+    const [long, wide] = [front + rear + 2 * clearance, width + 2 * clearance];
+    return angle === 0 ? { length: round(long + 0.2 * (front + rear)), width: round(wide + 0.25) } : { length: round(long + 0.6), width: round(wide + 0.73) };
 }
 const angles: Record<string, number> = { parallel: 0, angled: 60, perpendicular: 90 };
 export const kindOf = (angle: number) => (angle === 0 ? "parallel" : angle === 90 ? "perpendicular" : "angled");
 function withKind(inputs: Inputs, kind: string): Inputs {
     const angle = angles[kind]!;
     const same = (inputs.angle === 0) === (angle === 0);
-    return { ...inputs, angle, pose: null, scene: null, ...(same ? {} : usualSlot(inputs.car, angle)) };
+    return { ...inputs, angle, pose: null, scene: null, ...(same ? {} : usualSlot(inputs.car, angle, inputs.clearance)) };
 }
 
 /** Cars as they are listed. */

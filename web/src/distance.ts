@@ -11,7 +11,7 @@ export interface Obstacle {
 export const obstaclesOf = (scene: Scene): Obstacle[] =>
     scene.obstacles.map((one, i) => {
         const { polygon, low = false, name = "" } = Array.isArray(one) ? { polygon: one } : one;
-        return { corners: polygon.map(([x, y]) => ({ x, y })), low, name: name || `obstacle ${i}` };
+        return { corners: polygon.map(([x, y]) => ({ x, y })), low, name: name.slice(0, 40) || `obstacle ${i}` };
     });
 
 /** From a point to the line between two others, squared. */

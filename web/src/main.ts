@@ -7,7 +7,7 @@ import { byId, set, setText } from "./dom";
 import { createDrawing } from "./drawing";
 import { createFields } from "./fields";
 import { carCorners, clamp, corners, entryPose, track } from "./geometry";
-import { drivingOf, fromLink, slotOf, tidyPose, toLink, within, type Inputs } from "./inputs";
+import { commandLine, drivingOf, fromLink, slotOf, tidyPose, toLink, within, type Inputs } from "./inputs";
 import { later } from "./later";
 import { createMaps } from "./maps";
 import { createParking } from "./parking";
@@ -131,7 +131,8 @@ function run(snug: Snug, questions: Asker) {
     });
     const answer = () => (inStreet() ? parking.state.exact : final(inputs));
     let moves: number | undefined;
-    const share = createShare(now, answer, () => moves);
+    // The command leaves from nowhere unless it is told from where.
+    const share = createShare(now, answer, () => commandLine(inputs.way === "out" ? standing() : inputs, moves));
     for (const id of ["swept", "tracks", "show-map"]) byId(id).addEventListener("change", refresh);
     // A button that goes leaves the keyboard's place with the answer.
     const button = (id: string, next: () => Inputs) =>
@@ -142,7 +143,7 @@ function run(snug: Snug, questions: Asker) {
     button("best", () => ({ ...inputs, heading: null }));
     button("usual", () => ({ ...inputs, pose: null }));
     button("try-all", () => ({ ...inputs, strategy: "fewest" }));
-    button("fit-slot", () => ({ ...inputs, ...usualSlot(inputs.car, inStreet() ? inputs.angle : 0) }));
+    button("fit-slot", () => ({ ...inputs, ...usualSlot(inputs.car, inStreet() ? inputs.angle : 0, inputs.clearance) }));
     button("close-scene", () => ({ ...inputs, scene: null, pose: null }));
     createSceneFile(snug, {
         opened: (scene) => change({ ...inputs, mode: "street", way: "in", scene, pose: null }),
@@ -158,11 +159,13 @@ function run(snug: Snug, questions: Asker) {
         due = false;
         const mine = inStreet();
         document.documentElement.dataset.mode = inputs.mode;
-        for (const element of document.querySelectorAll<HTMLElement>("[data-for]")) element.toggleAttribute("hidden", element.dataset.for !== inputs.mode);
+        // What belongs to one mode, and what a place from a file has not.
+        const given = mine && !!inputs.scene;
+        for (const element of document.querySelectorAll<HTMLElement>("[data-for], [data-of]"))
+            element.toggleAttribute("hidden", (element.dataset.for ?? inputs.mode) !== inputs.mode || (given && element.dataset.of === "street"));
         byId("drawing").toggleAttribute("hidden", mine);
         byId("street").toggleAttribute("hidden", !mine);
-        for (const element of document.querySelectorAll<HTMLElement>("[data-of=street-slot]")) element.toggleAttribute("hidden", mine && !!inputs.scene);
-        set(byId("scene-open"), { hidden: mine && inputs.scene ? null : "" });
+        set(byId("scene-open"), { hidden: given ? null : "" });
         try {
             if (mine) {
                 parking.ask(asked());
@@ -226,12 +229,12 @@ function run(snug: Snug, questions: Asker) {
             tracks: byId<HTMLInputElement>("tracks").checked,
         });
         const end = inputs.way === "out" && !scene ? "Out" : "Parked";
-        const parked = found && found.moves.length === 0;
+        const none = found && found.moves.length === 0 ? end : blocked || state.exact || state.bounds?.impossible ? undefined : "Searching …";
         if (state.exact || state.lookedAt === state.pose)
-            load(shown, shown && way && { car, maneuver: shown, track: way, mirrored: false, end, near: near(car, obstaclesOf(state.scene)) }, parked ? end : undefined);
+            load(shown, shown && way && { car, maneuver: shown, track: way, mirrored: false, end, near: near(car, obstaclesOf(state.scene)) }, none);
         if (!shown || (!state.exact && state.lookedAt !== state.pose)) street.showCar(state.pose, 0);
         parking.again();
-        sayPark(inputs, state, swept?.current ? swept : null);
+        sayPark(snug, asked(), state, swept?.current ? swept : null);
         byId("legend-entries").toggleAttribute("hidden", !!scene || angle > 0 || inputs.way === "out");
         byId("street-legend").toggleAttribute("hidden", !byId<HTMLInputElement>("show-map").checked);
     }

@@ -55,16 +55,22 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
     /** The slice that came last. */
     let painted = "";
     const soonExact = later(40);
-    /** How long after the last change there was an answer, and after that and the end of a drag a proved way, for the bench. [ms] */
-    const times = { answers: [] as number[], proofs: [] as number[] };
-    let [since, sinceStill] = [NaN, NaN]; // not a number: told already
+    /** How long after the last change there was an answer; after that and the end of a drag a way, and a proved one; for the bench. [ms] */
+    const times = { answers: [] as number[], ways: [] as number[], proofs: [] as number[] };
+    let [since, sinceStill, wayless] = [NaN, NaN, NaN]; // not a number: told already
     const tellTimes = () => {
         const now = performance.now();
-        if (since && state.lookedAt === state.pose) {
+        // Not from the map of a moment ago.
+        const mapped = state.lookedAt === state.pose && map.state()?.current;
+        if (since && (state.exact ?? state.proved ?? mapped)) {
             times.answers.push(now - since);
             since = NaN;
         }
-        if (sinceStill && !listener.busy() && (state.exact ?? state.proved ?? (state.way && state.bounds?.proved))) {
+        if (wayless && !listener.busy() && (state.exact ?? state.proved ?? (mapped && state.way))) {
+            times.ways.push(now - wayless);
+            wayless = NaN;
+        }
+        if (sinceStill && !listener.busy() && (state.exact ?? state.proved ?? (mapped && state.way && state.bounds?.proved))) {
             times.proofs.push(now - sinceStill);
             sinceStill = NaN;
         }
@@ -79,6 +85,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             listener.changed();
         },
         seen: ({ pose, slice }, { bounds, way, counts }) => {
+            if (!map.state()?.near) return; // of a place that was left
             state.trouble = "";
             // While the car is dragged, one map says all: no count jumps to and fro.
             const stays = listener.busy() && map.state()?.own;
@@ -112,6 +119,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
     /** Nothing is dragged any more. */
     const released = () => {
         if (sinceStill) sinceStill = performance.now();
+        if (wayless) wayless = performance.now();
         tellTimes();
         map.takeOver();
         look();
@@ -169,12 +177,14 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             const scene = snug.scene(its.car, its.place, its.options);
             place = key;
             state.scene = scene;
-            map.set(its);
-            Object.assign(state, { bounds: null, lookedAt: null });
+            // Out of a bay: the map covers headings from the car's to the road's.
+            const heading = goalOf(inputs) === "road" && "heading" in scene.parked ? { heading: scene.parked.heading } : {};
+            map.set({ ...its, options: { ...its.options, ...heading } });
+            Object.assign(state, { bounds: null, way: null, lookedAt: null }, map.state()?.near ? {} : { painted: null });
         }
         asked = question;
         wanted = inputs;
-        since = sinceStill = performance.now();
+        since = sinceStill = wayless = performance.now();
         Object.assign(state, { pose: inputs.pose ?? usualPose(inputs, state.scene), exact: null, proved: null, soFar: null, trouble: "" });
         questions.abandon("park");
         searching = false;

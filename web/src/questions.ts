@@ -25,7 +25,7 @@ export const mostInStreet = 20;
 export interface PlaceCase {
     car: Car;
     place: StreetLike | Scene;
-    options: { clearance: number; enter: "backward" | "forward"; goal: "bay" | "road" };
+    options: { clearance: number; enter: "backward" | "forward"; goal: "bay" | "road"; heading?: number };
 }
 
 /** The map's counts at one heading, at the middles of so many fields of a box. */

@@ -2,11 +2,12 @@
 import type { EntryAnswer, FewestAnswer, ParkAnswer } from "snug";
 import { byId, html, setText } from "./dom";
 import { asPng, rangesCsv, save, standalone, type Caption } from "./download";
-import { commandLine, holdsScene, plain, toLink, type Inputs } from "./inputs";
+import { holdsScene, plain, toLink, type Inputs } from "./inputs";
 
 type Found = EntryAnswer | FewestAnswer | ParkAnswer;
 
-export function createShare(inputs: () => Inputs, answer: () => Found | null, moves: () => number | undefined) {
+/** `asCommand`: the same question on the command line. */
+export function createShare(inputs: () => Inputs, answer: () => Found | null, asCommand: () => string) {
     const picture = () => byId<SVGSVGElement>(inputs().mode === "street" ? "street" : "drawing");
     const say = (sentence: string) => setText(byId("shared"), sentence);
     const click = (id: string, what: () => void) => byId(id).addEventListener("click", what);
@@ -24,13 +25,13 @@ export function createShare(inputs: () => Inputs, answer: () => Found | null, mo
         if (inputs().scene && !holdsScene(link)) say("This place is too large for a link; pass its file on.");
         else void copy(`${location.href.split("#")[0]}#${link}`, "Link");
     });
-    click("copy-command", () => void copy(commandLine(inputs(), moves()), "Command"));
+    click("copy-command", () => void copy(asCommand(), "Command"));
 
     /** What a picture says beside what it shows: the question, the answer and the moves. */
     const caption = (): Caption => {
         const text = (id: string) => byId(id).textContent ?? "";
         const rows = [...byId("moves").querySelectorAll("button")].map((row) => [...row.children].map((cell) => cell.textContent ?? ""));
-        return { title: commandLine(inputs(), moves()).replace(/^.*&& /, ""), answer: `${text("verdict")}: ${text("count")} ${text("count-unit")}. ${text("count-note")}`, rows };
+        return { title: asCommand().replace(/^.*&& /, ""), answer: `${text("verdict")}: ${text("count")} ${text("count-unit")}. ${text("count-note")}`, rows };
     };
 
     const file = (ending: string, content: Blob) => {
@@ -54,7 +55,7 @@ export function createShare(inputs: () => Inputs, answer: () => Found | null, mo
     // An option and its value stay on one line.
     const command = byId("command");
     const show = () => {
-        const line = commandLine(inputs(), moves());
+        const line = asCommand();
         if (command.textContent === line) return;
         command.replaceChildren(...line.split(/(--\S+ \S+)/).map((part) => (part.startsWith("--") ? html("span", {}, part) : part)));
     };

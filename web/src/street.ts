@@ -94,27 +94,29 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
     const seenBox = (s: StreetScene): Box => {
         const region = s.place.region!;
         const stands = corners(s.car, s.pose, 0.4);
+        const narrow = size.width < 600;
+        // The knob that turns the car is ahead of it.
+        const ahead = s.car.front + (narrow ? 1.5 : 1);
+        const knob = { x: s.pose.x + ahead * Math.cos(s.pose.heading), y: s.pose.y + ahead * Math.sin(s.pose.heading) };
         if (!s.street) {
             const inside = bay(s);
             const named = s.place.obstacles.flatMap((one) => (Array.isArray(one) ? one : one.polygon).map(([x, y]) => ({ x, y })));
             const goal = "pose" in s.place.parked ? [{ x: s.place.parked.pose[0], y: s.place.parked.pose[1] }] : inside;
-            const all = extent([...named, ...goal, ...stands, { x: s.place.start[0], y: s.place.start[1] }]);
+            const all = extent([...named, ...goal, ...stands, knob, { x: s.place.start[0], y: s.place.start[1] }]);
             const wide = (low: number, high: number, a: number, b: number): [number, number] => [Math.max(low, a) - 1, Math.min(high, b) + 1];
             const [x_min, x_max] = wide(region.x_min - 6, region.x_max + 6, all.x_min, all.x_max);
             const [y_min, y_max] = wide(region.y_min - 6, region.y_max + 6, all.y_min, all.y_max);
             return { x_min, x_max, y_min, y_max };
         }
-        const narrow = size.width < 600;
         const slot = extent(bay(s));
         const own = s.car.front + s.car.rear;
         const beside = (narrow ? 0.75 : 1.45) * own;
         const out = Math.min(s.street.road ?? Infinity, Math.max(1.5 * own, 6));
-        const [low, high] = sense(s) > 0 ? [slot.y_min - 0.75, out + 0.45] : [-out - 0.45, slot.y_max + 0.75];
-        // The knob that turns the car is ahead of it.
-        const ahead = s.car.front + (narrow ? 1.5 : 1);
-        const knob = { x: s.pose.x + ahead * Math.cos(s.pose.heading), y: s.pose.y + ahead * Math.sin(s.pose.heading) };
+        const below = narrow ? 1.25 : 0.75; // a length stands there
+        const [low, high] = sense(s) > 0 ? [slot.y_min - below, out + 0.45] : [-out - 0.45, slot.y_max + below];
         const goal = s.street.out ? 0.8 * own : 0; // out on the road
-        return extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside + goal, y: high }, ...stands, knob]);
+        const ends = s.street.out && s.track ? s.track.legs.slice(-1).flatMap(({ end }) => corners(s.car, end, 0.4)) : [];
+        return extent([{ x: slot.x_min - beside, y: low }, { x: slot.x_max + beside + goal, y: high }, ...stands, ...ends, knob]);
     };
 
     const fit = (s: StreetScene) => {
@@ -307,6 +309,13 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         "aria-valuetext": `${value.toFixed(3)} metres`,
     });
 
+    const turnKnob = (car: Shape, pose: Pose): Point => {
+        const reach = car.front + 30 / view.scale;
+        return { x: pose.x + reach * Math.cos(pose.heading), y: pose.y + reach * Math.sin(pose.heading) };
+    };
+    /** Where a length is written: clear of the curb, as far as the picture goes. */
+    const belowCurb = (y: number) => Math.min(Math.max(0.55 * view.scale, 24), size.height - y - 6);
+
     const drawHandles = (s: StreetScene) => {
         const { street } = s;
         for (const what of ["rear", "front", "curb", "far"] as const) gripOf[what].style.display = street ? "" : "none";
@@ -320,14 +329,17 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
             const deepest = out > 0 ? slot.y_min : slot.y_max;
             // Beside a slot they are near the curb: the knob of a car that stands in it is in the middle.
             const y = street.angle === 0 ? 0.25 * middle + 0.75 * (deepest + (out * 16) / view.scale) : middle;
-            slider(gripOf.rear, { x: slot.x_min - inward, y }, along);
-            slider(gripOf.front, { x: slot.x_max + inward, y }, along);
+            // Not over the knob that turns the car.
+            const { x: turnX, y: turnY } = turnKnob(s.car, s.pose);
+            const beside = (x: number, away: number) => (Math.hypot(x - turnX, y - turnY) * view.scale < 30 ? turnX + (away * 30) / view.scale : x);
+            slider(gripOf.rear, { x: beside(slot.x_min - inward, -1), y }, along);
+            slider(gripOf.front, { x: beside(slot.x_max + inward, 1), y }, along);
             slider(gripOf.curb, { x: slot.x_min - 22 / view.scale, y: deepest }, street.angle === 0 ? metres(street.width, 0.3, 10) : metres(street.length, 0.5, 40), [0, 17]);
             gripOf.far.style.display = street.road === null ? "none" : "";
             if (street.road !== null) slider(gripOf.far, { x: slot.x_min - 0.35 * s.car.front, y: out * street.road }, metres(street.road, 0.5, 30), [0, -6]);
             if (street.angle === 0) {
                 const ends = [at({ x: slot.x_min, y: deepest }), at({ x: slot.x_max, y: deepest })].sort((a, b) => a[0] - b[0]) as [[number, number], [number, number]];
-                measures.push(dimension(ends[0], ends[1], [0, Math.min(0.55 * view.scale, size.height - ends[0][1] - 10)], `${street.length.toFixed(3)} m`));
+                measures.push(dimension(ends[0], ends[1], [0, belowCurb(ends[0][1])], `${street.length.toFixed(3)} m`));
             }
             if (street.angle > 0) {
                 // Of a bay, along the end that is farthest in: of its corners the two farthest from the road, from left to right.
@@ -337,12 +349,13 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
                     .map(at)
                     .sort((a, b) => a[0] - b[0]) as [[number, number], [number, number]];
                 const [[x1, y1], [x2, y2]] = inner;
-                const off = street.angle < quarter ? 20 : Math.min(0.55 * view.scale, size.height - y1 - 10);
+                const off = street.angle < quarter ? 20 : belowCurb(y1);
                 const long = Math.hypot(x2 - x1, y2 - y1);
                 measures.push(dimension(...inner, [(-off * (y2 - y1)) / long, (off * (x2 - x1)) / long], `${street.width.toFixed(3)} m`));
             }
-            // Where the car is not.
-            if (!drag()) measuresLeft = at(s.pose)[0] > size.width / 2;
+            // Where the car is not, or does not go to.
+            const there = (street.out && s.track?.legs.at(-1)?.end) || s.pose;
+            if (!drag()) measuresLeft = at(there)[0] > size.width / 2;
             const x = measuresLeft ? 26 : size.width - 22;
             measures.push(dimension([x, at({ x: 0, y: deepest })[1]], [x, at({ x: 0, y: 0 })[1]], [0, 0], `${(street.angle === 0 ? street.width : slot.y_max - slot.y_min).toFixed(3)} m`));
             if (street.road !== null) measures.push(dimension([x, at({ x: 0, y: 0 })[1]], [x, at({ x: 0, y: out * street.road })[1]], [0, 0], `${street.road.toFixed(2)} m`));
@@ -355,8 +368,7 @@ export function createStreet(root: SVGSVGElement, handles: StreetHandles) {
         set(carGrip.firstElementChild!, { d: frame });
         const turn = degrees(pose.heading);
         set(carGrip, { "aria-label": `Your car, ${pose.x.toFixed(2)} m along the street, ${pose.y.toFixed(2)} m across, turned ${turn.toFixed(1)} degrees. Arrow keys move it, comma and full stop turn it.` });
-        const reach = s.car.front + 30 / view.scale;
-        slider(gripOf.turn, { x: pose.x + reach * Math.cos(pose.heading), y: pose.y + reach * Math.sin(pose.heading) }, {
+        slider(gripOf.turn, turnKnob(s.car, pose), {
             "aria-valuenow": turn.toFixed(1),
             "aria-valuemin": -180,
             "aria-valuemax": 180,

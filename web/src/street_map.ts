@@ -31,13 +31,16 @@ const levels = [1, 1 / 2, 1 / 3];
 /** A 32nd of the turning radius at most: the library takes no coarser one. */
 const coarsest = ({ wheelbase, max_steer }: Car) => Math.min(0.999 / 32 * (wheelbase / Math.tan(max_steer)), 0.16);
 
+/** Alike where only lengths differ, as while a street is dragged: the map of a moment ago says something of it still. */
+const kin = ({ car, place, options }: PlaceCase) => JSON.stringify([car, options, "obstacles" in place ? place : [place.angle, place.side, place.curb]]);
+
 export function createStreetMap(snug: Snug, questions: Asker, listener: Listener) {
     let wanted: PlaceCase | null = null;
     let key = "";
     let sweeping: { key: string; level: number } | null = null;
     let front = 0;
     /** What the front worker holds. */
-    let held: { key: string; spacing: number; milliseconds: number; level: number } | null = null;
+    let held: { key: string; kin: string; spacing: number; milliseconds: number; level: number } | null = null;
     /** How long maps and looks took, for the tests and the bench. [ms] */
     const times = { maps: [] as number[], taken: [] as number[], looks: [] as number[], own: [] as number[] };
 
@@ -54,7 +57,7 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
             } else {
                 front = back;
                 const { spacing, milliseconds } = told;
-                held = { key: mine.key, level, spacing, milliseconds };
+                held = { key: mine.key, kin: kin(swept), level, spacing, milliseconds };
                 if (level === 0) times.maps.push(told.milliseconds);
                 if (told.packed) given = { key: mine.key, swept, packed: told.packed };
                 takeOver();
@@ -132,7 +135,7 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
         takeOver,
         looking: () => looking !== 0,
         times,
-        /** Null: none yet. `current`: of the place that was set last. */
-        state: () => held && { ...held, current: held.key === key, finest: held.level === levels.length - 1, own: own?.key === key },
+        /** Null: none yet. `current`: of the place that was set last; `near`: of one like it. */
+        state: () => held && { ...held, current: held.key === key, near: !!wanted && held.kin === kin(wanted), finest: held.level === levels.length - 1, own: own?.key === key },
     };
 }

@@ -18,13 +18,13 @@ const say = (verdict: string, state: "fits" | "not" | "open", count: string, uni
     byId("answer").dataset.state = state;
 };
 
-/** Why not, as far as the size of the slot tells. */
-function whyNot(snug: Snug, inputs: Inputs, otherwise: string) {
+/** Why it cannot park, as far as the size of the slot tells; empty where it would hold the car. */
+function tooSmall(snug: Snug, inputs: Inputs) {
     const lacks = snug.shortfall(inputs.car, slotOf(inputs), drivingOf(inputs));
     const parts = [];
     if (lacks.length > 0) parts.push(`${lacks.length.toFixed(3)} m too short`);
     if (lacks.width > 0) parts.push(`${lacks.width.toFixed(3)} m too narrow`);
-    return parts.length > 0 ? `The slot is ${parts.join(" and ")} to hold the car at all.` : otherwise;
+    return parts.length > 0 ? `The slot is ${parts.join(" and ")} to hold the car at all.` : "";
 }
 
 function sayRoom({ side }: Inputs, { length, swept }: Maneuver) {
@@ -34,31 +34,40 @@ function sayRoom({ side }: Inputs, { length, swept }: Maneuver) {
 
 /** `shown`: the maneuver in the picture. */
 export function sayAnswer(snug: Snug, inputs: Inputs, answers: Answers, shown: Maneuver | undefined, run: MaxSteerRun | null) {
-    const { length, width } = snug.shortfall(inputs.car, slotOf(inputs), drivingOf(inputs));
-    set(byId("fit-slot"), { hidden: length > 0 || width > 0 ? null : "" });
+    const short = tooSmall(snug, inputs);
+    set(byId("fit-slot"), { hidden: short ? null : "" });
     const stuck = inputs.strategy !== "fewest" && !answers.late && answers.entry?.direction_changes === undefined;
-    set(byId("try-all"), { hidden: stuck && !(length > 0 || width > 0) ? null : "" });
+    set(byId("try-all"), { hidden: stuck && !short ? null : "" });
     if (inputs.strategy === "fewest") sayFewest(snug, inputs, answers, shown);
     else sayEntry(snug, inputs, answers, run);
 }
+
+/** The solver's, as one of the page's. */
+const sentence = (text: string) =>
+    `${text.charAt(0).toUpperCase()}${text.slice(1).replace(/\d+\.\d{4,}/g, (digits) => plain(Number(digits), 3))}.`.replace(/\.\.$/, ".");
 
 /** Never broken before the unit. */
 const metres = (value: number) => `${value.toFixed(2)}\u00a0m`;
 
 /** In the street: the exact answer where there is one, else what the map says. `map`: null while there is none of this place. */
-export function sayPark(inputs: Inputs, { bounds, exact, proved: before, soFar, pose, trouble }: Parking, map: { spacing: number } | null) {
-    for (const id of ["fit-slot", "try-all", "best"]) set(byId(id), { hidden: "" });
+export function sayPark(snug: Snug, inputs: Inputs, { bounds, exact, proved: before, soFar, pose, trouble }: Parking, map: { spacing: number } | null) {
+    for (const id of ["try-all", "best"]) set(byId(id), { hidden: "" });
+    const short = inputs.scene ? "" : tooSmall(snug, inputs);
+    set(byId("fit-slot"), { hidden: short ? null : "" });
     const out = goalOf(inputs) === "road";
     const [fits, fitsNot] = out ? ["It gets out", "It does not get out"] : ["It parks", "It does not park"];
     setText(byId("strategy-note"), "Any steering, any stops: the fewest changes there can be, with proof.");
     setText(byId("maneuver-note"), exact?.maneuver || !(before?.maneuver ?? bounds?.first) ? "" : "Checked by exact contact; a roomier one may follow.");
-    setText(byId("stands"), `${metres(pose.x)}, ${metres(pose.y)}`);
-    setText(byId("stands-note"), `${Number(degrees(pose.heading).toFixed(2)) + 0}° to the street. ${inputs.pose ? "" : "Drag the car anywhere."}`);
+    setText(byId("stands"), `${metres(pose.x)}, ${metres(pose.y)}`.replaceAll("-", "−"));
+    const turned = `${Number(degrees(pose.heading).toFixed(2)) + 0}°`.replace("-", "−");
+    setText(byId("stands-note"), `${inputs.scene ? `Turned ${turned}.` : `${turned} to the street.`} ${inputs.pose ? "" : "Drag the car anywhere."}`);
     set(byId("usual"), { hidden: inputs.pose ? null : "" });
 
+    const ago = "Of a moment ago; the street is being swept.";
     const range = (low: number, high?: number) => (high === undefined ? `≥ ${low}` : low === high ? String(high) : `${low} – ${high}`);
     if (!map) setText(byId("map-says"), "…");
-    else if (!bounds || bounds.where === "outside") setText(byId("map-says"), "–");
+    else if (!bounds) setText(byId("map-says"), "–");
+    else if (bounds.where === "outside") setText(byId("map-says"), "beyond it");
     else setText(byId("map-says"), bounds.where === "blocked" ? "blocked" : bounds.impossible ? "impossible" : range(bounds.lower_bound, bounds.direction_changes));
     setText(byId("map-note"), map ? `From every pose at once, on a lattice of ${plain(100 * map.spacing, 1)} cm.` : "The street is swept …");
 
@@ -69,21 +78,32 @@ export function sayPark(inputs: Inputs, { bounds, exact, proved: before, soFar, 
         if (found === 0 && maneuver?.moves.length === 0) say(out ? "It is out" : "It is parked", "fits", "0", plural(0), "Nothing to drive.");
         else if (found !== undefined && proved) say(fits!, "fits", String(found), plural(found), `Proved: no maneuver has fewer.${room}`);
         else if (found !== undefined) say(fits!, "fits", `≤ ${found}`, plural(found), `No maneuver has fewer than ${lower_bound}.${room}`);
-        else if (proved) say(fitsNot!, "not", "∅", "no way", impossible ? "Proved: no number of changes will do." : `Proved: not with up to ${answer.max_changes} changes.`);
+        else if (proved) say(fitsNot!, "not", "∅", "no way", impossible ? short || "Proved: no number of changes will do." : `Proved: not with up to ${answer.max_changes} changes.`);
         else say("Undecided", "open", `≥ ${lower_bound}`, plural(2), `Nothing found on a lattice of ${plain(1000 * spacing, 1)} mm in the time given.`);
         return;
     }
     if (bounds?.where === "blocked") say("It cannot stand here", "not", "–", "it meets something", "Move the car, or turn it, until it stands free.");
-    else if (trouble) say("No answer", "open", "–", "", trouble);
+    else if (trouble) say("No answer", "open", "–", "", sentence(trouble));
     else if (bounds?.where === "outside") say("Beyond the map", "open", "…", "", "It covers headings within 80° of the middle between the street’s and the parked one. Searching from here alone.");
     else if (!bounds) say("Computing", "open", "…", "direction changes", "The street is being swept.");
-    else if (bounds.impossible) say(fitsNot!, "not", "∅", "no way", "Proved by the map: no number of changes will do.");
+    else if (bounds.impossible) say(fitsNot!, "not", "∅", "no way", short || (map ? "Proved by the map: no number of changes will do." : ago));
     else {
-        const low = Math.max(bounds.lower_bound, soFar?.lower_bound ?? 0);
-        const high = Math.min(bounds.direction_changes ?? Infinity, soFar?.direction_changes ?? Infinity);
+        // What the search found is of this place, what the map of a moment ago says may not be.
+        const search = map ? soFar : null;
+        const low = Math.max(bounds.lower_bound, search?.lower_bound ?? 0);
+        const high = Math.min(bounds.direction_changes ?? Infinity, search?.direction_changes ?? Infinity);
         const known = high < Infinity ? high : undefined;
         const word = known === undefined ? "Searching" : fits!;
-        say(word, known === undefined ? "open" : "fits", range(low, known), plural(known ?? 2), low === known ? "Proved: no maneuver has fewer." : "From the map, checked by exact contact; the proof follows.");
+        const note = !map
+            ? ago
+            : low === known
+                ? "Proved: no maneuver has fewer."
+                : known === undefined
+                  ? "No way is known yet. The search from here goes on."
+                  : known === bounds.direction_changes
+                    ? "From the map, checked by exact contact; the proof follows."
+                    : "Found from here. The search for fewer goes on, then the way is shown.";
+        say(word, known === undefined ? "open" : "fits", range(low, known), plural(known ?? 2), note);
     }
 }
 
@@ -94,7 +114,7 @@ function sayEntry(snug: Snug, inputs: Inputs, { entry }: Answers, run: MaxSteerR
     const best = entry?.maneuver;
     if (changes === undefined || !best) {
         const none = "o entry heading parks it within 200 changes";
-        const note = whyNot(snug, inputs, entry?.proved ? `Proved: n${none}.` : `N${none}. ${unsure(entry)}`);
+        const note = tooSmall(snug, inputs) || (entry?.proved ? `Proved: n${none}.` : `N${none}. ${unsure(entry)}`);
         say("It does not fit", "not", "∅", "no way in", note);
         return;
     }
@@ -129,7 +149,7 @@ function sayBounds(snug: Snug, inputs: Inputs, { direction_changes: found, prove
     const room = maneuver ? ` ${sayRoom(inputs, maneuver)}` : "";
     if (found !== undefined && proved) say("It fits", "fits", String(found), plural(found), `Proved: no maneuver has fewer.${room}`);
     else if (found !== undefined) say("It fits", "fits", `≤ ${found}`, plural(found), `No maneuver has fewer than ${lower_bound}.${room}`);
-    else if (proved) say("It does not fit", "not", "∅", "no way in", whyNot(snug, inputs, "Proved: no maneuver with up to 200 changes parks it."));
+    else if (proved) say("It does not fit", "not", "∅", "no way in", tooSmall(snug, inputs) || "Proved: no maneuver with up to 200 changes parks it.");
     else say("Undecided", "open", `≥ ${lower_bound}`, plural(2), "The time given was not enough.");
 }
 

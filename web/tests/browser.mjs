@@ -44,7 +44,7 @@ export async function open({ root: of = root } = {}) {
             const page = await context.newPage();
             page.setDefaultTimeout(60_000);
             page.on("console", (message) => message.type() === "error" && troubles.push(`console: ${message.text()}`));
-            page.on("pageerror", (error) => troubles.push(`page: ${error.stack}`));
+            page.on("pageerror", (error) => troubles.push(`page: ${error.stack || `${error.name}: ${error.message}`}`));
             page.on("request", (request) => {
                 if (!/^(http:\/\/127\.0\.0\.1|data:|blob:)/.test(request.url())) troubles.push(`request to ${request.url()}`);
             });

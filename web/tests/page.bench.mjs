@@ -71,8 +71,9 @@ async function load(name) {
 }
 
 /**
- * In the street: the car driven about, the look-ups in each frame, and after it is put down the time until a way is shown whose
- * count is proved; a neighbour dragged, the frames meanwhile, and the time until the answer where the car stands.
+ * In the street: the car driven about, the look-ups in each frame, and after it is put down the time until a way is shown that
+ * is checked by exact contact, and until one whose count is proved; a neighbour dragged, the frames meanwhile, and the time until
+ * the answer where the car stands, and a checked way from there.
  */
 async function street(name, path) {
     const page = await site.page({ path });
@@ -91,7 +92,7 @@ async function street(name, path) {
     /** Put down so many times; until one more `of` is told. */
     const puts = async (what, of, count, move) => {
         const cpu = [];
-        await page.evaluate((of) => (window.snugPage.times[of].length = 0), of);
+        await page.evaluate((of) => (window.snugPage.times[of].length = window.snugPage.times.ways.length = 0), of);
         for (let i = 0; i < count; ++i) {
             const [x, y] = await held(what);
             const before = (await clock()).process;
@@ -112,6 +113,7 @@ async function street(name, path) {
     line(`${name}/car-dragged/look-ups-in-the-frame`, await times(["map", "own"]), frames);
     line(`${name}/car-dragged/look-ups-by-a-worker`, await times(["map", "looks"]));
     const proof = await puts("car", "proofs", 8, (x, y, i) => [x + 24 * Math.cos(2.4 * i), y + 10 * Math.sin(2.4 * i)]);
+    line(`${name}/car-put-down/checked-way`, await times(["times", "ways"]));
     line(`${name}/car-put-down/proved-way`, await times(["times", "proofs"]), proof);
 
     const [rx, ry] = await held("rear");
@@ -122,6 +124,7 @@ async function street(name, path) {
     line(`${name}/map-taken-over`, await times(["map", "taken"]));
     const moved = await puts("rear", "answers", 8, (x, y, i) => [x + (i % 2 ? 5 : -5), y]);
     line(`${name}/neighbour-put-down/answer`, await times(["times", "answers"]), moved);
+    line(`${name}/neighbour-put-down/checked-way`, await times(["times", "ways"]));
     line(`${name}/first-map`, await times(["map", "maps"]));
     await page.context().close();
 }

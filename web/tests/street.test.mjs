@@ -99,8 +99,10 @@ test("every kind of place has the command's answer: at an angle, tail and nose f
         await choose(page, "enter", enter);
         await choose(page, "side", side);
         await choose(page, "way", way);
-        if (way === "out") await drag(page, "car", 3, 0); // `snug leave` is told where the car stands
         await sameAsCommand(page, `${kind} ${enter} ${side} ${way}`);
+        // The map covers where the car stands, out of a bay too.
+        await page.waitForFunction(() => window.snugPage.map.state()?.current && window.snugPage.parking.lookedAt === window.snugPage.parking.pose);
+        assert.equal(await page.evaluate(() => window.snugPage.parking.bounds.where), "free", `${kind} ${way}`);
     }
 });
 
@@ -271,6 +273,8 @@ test("a scene file or a TPCAP case dropped on the page opens; what is none is ex
     await page.waitForFunction(() => location.hash.includes("scene="));
     const again = await site.page({ path: await page.evaluate(() => location.hash) });
     assert.deepEqual((await inputs(again)).scene, (await inputs(page)).scene);
+    // What a street has and this place has not cannot be set.
+    for (const of of ["#length", "#road", "#around", "input[name=way]", "input[name=enter]", "input[name=side]"]) assert.ok(await page.locator(of).first().isHidden(), of);
     await drop("case.csv", "6,2,0,-2.5,-1,0,2,4,4,0,0,4,0,4,-2,0,-2,-9,0,-5,0,-5,-2,-9,-2");
     await page.waitForFunction(() => window.snugPage.inputs().scene?.obstacles.length === 2);
     assert.equal(await text(page, "trouble"), "");
@@ -298,6 +302,28 @@ test("links: the street's come back whole, the old ones open as they were, bad o
     const one = await inputs(page);
     const again = await site.page({ path: hash });
     assert.deepEqual(await inputs(again), one);
+    // Of another place nothing is said that was known of the last one.
+    const said = await again.evaluate(
+        (links) =>
+            new Promise((done) => {
+                const said = [];
+                const { parking, map } = window.snugPage;
+                const watch = () => {
+                    const known = map.state()?.current || parking.proved || parking.exact;
+                    said.push([document.getElementById("count").textContent, !known && (parking.bounds || parking.way || parking.painted) ? "of the last" : ""]);
+                    if (said.length % 12 === 0) location.hash = links.shift() ?? location.hash;
+                    if (links.length === 0 && map.state()?.current) done(said);
+                    else requestAnimationFrame(watch);
+                };
+                requestAnimationFrame(watch);
+            }),
+        ["#mode=street&angle=90&length=5&width=2.5", "#mode=street&length=5.4", "#mode=street&length=4.9&side=left", "#mode=street&angle=60&length=5&width=2.6", hash],
+    );
+    for (const [count, of] of said) {
+        const [low, high] = count.split(" – ").map(Number);
+        assert.ok(high === undefined || low < high, count);
+        assert.equal(of, "");
+    }
     await follow(again, "#car=renault-zoe&length=4.5&width=2");
     assert.equal((await inputs(again)).mode, "entry");
     assert.equal(await text(again, "count"), "18");
@@ -327,6 +353,22 @@ test("what was wrong: headlines, commands, maps, slots and pictures say what is"
     await page.locator("#fit-slot").click();
     await settled(page);
     assert.match(await text(page, "count"), /^\d+$/);
+    // In the street, too.
+    await follow(page, "#mode=street&car=renault-zoe&length=3&width=1.5");
+    await page.waitForFunction(() => document.getElementById("verdict").textContent === "It does not park");
+    assert.match(await text(page, "count-note"), /1\.084 m too short and 0\.271 m too narrow/);
+    await page.locator("#fit-slot").click();
+    await exact(page);
+    assert.equal(await text(page, "verdict"), "It parks");
+    assert.ok(await page.locator("#fit-slot").isHidden());
+    // Where the map knows no way, none is said to be from the map, and none can be played.
+    await follow(page, "#mode=street&car=renault-zoe&length=4.45&width=1.87");
+    await page.waitForFunction(() => window.snugPage.map.state()?.current && window.snugPage.parking.bounds?.where === "free");
+    await settled(page);
+    const open = await page.evaluate(() => [window.snugPage.parking.way, window.snugPage.parking.proved ?? window.snugPage.answer(), document.getElementById("count-note").textContent, document.getElementById("now").textContent]);
+    assert.equal(open[0], null);
+    if (!open[1]) assert.match(open[2], /^(No way is known yet|Found from here)/);
+    if (!open[1]) assert.equal(open[3], "Searching …");
     // All maneuvers may do better: a click tries.
     await page.evaluate(() => (location.hash = "car=renault-zoe&length=4.42&width=2"));
     await page.waitForFunction(() => !document.getElementById("try-all").hidden);
@@ -353,6 +395,7 @@ test("what was wrong: headlines, commands, maps, slots and pictures say what is"
 
 test("the car by keyboard alone: everything is reached, arrows move it, full stop and comma turn it", async () => {
     const page = await site.page();
+    await mapped(page); // there is something to play
     const reached = await reachedByTab(page, "save-csv");
     for (const what of ["mode", "car", "turn", "rear", "front", "curb", "far", "play", "kind", "angle", "road", "side", "way", "enter", "x", "y", "clearance", "scene-file", "show-map", "tracks", "save-csv"])
         assert.ok(reached.has(what), `${what} is not reached: ${[...reached].join(", ")}`);
