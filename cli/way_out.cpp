@@ -333,11 +333,12 @@ std::string other_maneuvers(const MinSlotQuestion& question, const std::vector<M
         }
     }
     if (others.empty()) return "";
-    return "\nOther maneuvers park where full steering cannot (--strategy fewest):\n\n" +
-           fewest_slot_table(sought, others) +
-           (left_out == 0 ? ""
-                          : "\n" + counted(static_cast<int>(left_out), "more row") +
-                                " not tried: --strategy fewest answers all.\n");
+    std::string text = "\nOther maneuvers park where full steering cannot (--strategy fewest):\n\n" +
+                       fewest_slot_table(sought, others);
+    if (left_out > 0)
+        text += "\n" + std::to_string(left_out) + (left_out == 1 ? " more row was" : " more rows were") +
+                " not tried: --strategy fewest answers all.\n";
+    return text;
 }
 
 }  // namespace snug::cli
