@@ -263,8 +263,12 @@ std::string way_out_text(const ParkQuestion& question) {
                     *larger.road += by;
                     return in(larger);
                 }));
-        add(rows, "a longer slot", "--length", street.length, enlarged(&Street::length));
-        add(rows, "a wider slot", "--width", street.width, enlarged(&Street::width));
+        // In a slot too small one way, more room the other way would only let the car stand askew.
+        const double room = 2.0 * options.clearance;
+        if (street.width >= question.car.width() + room)
+            add(rows, "a longer slot", "--length", street.length, enlarged(&Street::length));
+        if (street.length >= question.car.length() + room)
+            add(rows, "a wider slot", "--width", street.width, enlarged(&Street::width));
     }
     add_less_clearance(rows, options.clearance, [&](double clearance) {
         ParkOptions nearer = options;
