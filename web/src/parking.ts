@@ -95,6 +95,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             Object.assign(state, { ...seen, lookedAt: pose, stale: false, trouble: "" });
             tellTimes();
             listener.changed();
+            soonExact(askExact, 0);
         },
         ready: () => {
             painted = "";
@@ -143,7 +144,8 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         map.takeOver();
         map.hurry();
         look();
-        soonExact(askExact, 0);
+        // Two at a time would wait for each other where there are few cores.
+        soonExact(askExact, state.lookedAt === state.pose && !state.stale ? 0 : 60);
     };
 
     const caseOf = (inputs: Inputs) => ({
