@@ -263,8 +263,12 @@ std::string way_out_text(const ParkQuestion& question) {
                     *larger.road += by;
                     return in(larger);
                 }));
-        add(rows, "a longer slot", "--length", street.length, enlarged(&Street::length));
-        add(rows, "a wider slot", "--width", street.width, enlarged(&Street::width));
+        // In a slot too small one way, more room the other way would only let the car stand askew.
+        const double room = 2.0 * options.clearance;
+        if (street.width >= question.car.width() + room)
+            add(rows, "a longer slot", "--length", street.length, enlarged(&Street::length));
+        if (street.length >= question.car.length() + room)
+            add(rows, "a wider slot", "--width", street.width, enlarged(&Street::width));
     }
     add_less_clearance(rows, options.clearance, [&](double clearance) {
         ParkOptions nearer = options;
@@ -318,16 +322,16 @@ std::string other_maneuvers(const MinSlotQuestion& question, const std::vector<M
     options.progress = [patience = Patience(2.0)](double) { return patience.left(); };
     std::vector<MinSlot> others;
     std::size_t left_out = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i].max_changes > limits::most_changes_fewest) continue;
+    for (const MinSlot& row : rows) {
+        if (row.max_changes > limits::most_changes_fewest) continue;
         if (others.size() == most_rows) {
             ++left_out;
             continue;
         }
-        options.max_changes = rows[i].max_changes;
+        options.max_changes = row.max_changes;
         try {
-            const MinSlot found = min_slot(
-                question.car, *rows[i].size(sought == Sought::length ? Sought::width : Sought::length), options);
+            const MinSlot found =
+                min_slot(question.car, *row.size(sought == Sought::length ? Sought::width : Sought::length), options);
             if (found.size(sought)) others.push_back(found);
         } catch (const Error&) {  // beyond what a lattice holds
         }

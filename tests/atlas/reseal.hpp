@@ -34,6 +34,7 @@ inline void reseal(std::string& bytes) {
     }
     const std::uint64_t front = sizeof(Head) + head.cars * std::uint64_t{sizeof(CarEntry)} +
                                 padded(std::min<std::uint64_t>(head.name_bytes, bytes.size())) +
+                                std::min<std::uint64_t>(head.corners, bytes.size()) * sizeof(Corner) +
                                 (std::uint64_t{head.widths} + head.lengths) * sizeof(double);
     if (front <= bytes.size()) trailer.front_checksum = checksum(all().first(front));
     trailer.index_checksum = checksum(all().subspan(index_at, trailer_at - index_at));

@@ -101,6 +101,9 @@ std::string small_atlas() {
     AtlasWriter writer(plan, "fuzz", [&](std::string_view part) { bytes += part; });
     for (int i = 0; i < 12; ++i) writer.add(i % 3 == 2 ? CellAnswer{} : answer);
     writer.finish();
+    std::string sealed = bytes;
+    snug::test::reseal(sealed);
+    expect(sealed == bytes, "a whole atlas is sealed otherwise than it was");
     return bytes;
 }
 
