@@ -378,8 +378,7 @@ TEST(Drive, SteersOnlyWhileItRollsWhereItSaysSo) {
     EXPECT_GT(drive_runs(zoe(), street, standard_start(street, zoe()), standing).runs[0].standing_steers, 0);
 }
 
-/// The margin found is the least that does, or better: every smaller one of the list fails, and runs tried at first are those driven in
-/// the end.
+/// A margin that is found does, and what is told of it are the runs it has, whatever it was chosen by.
 TEST(Drive, MarginsFoundAreThoseOfAllRuns) {
     DriveOptions options;
     options.runs = 120;
