@@ -185,6 +185,7 @@ void define_rolling(py::module_& module) {
                    counted(static_cast<int>(m.pieces.size()), "piece") + ", " +
                    counted(m.direction_changes(), "direction change") + ", " + few_digits(m.length()) + " m";
         })
+        .picture([](const RollingManeuver& m) { return picture(m.in_arcs(0.05)); })
         .finish();
     define_method(type, "in_arcs(self, most: float = 0.05) -> Maneuver",
                   "Nearly the same as a Maneuver, in arcs at most so long [m], for pictures and waypoints.",
