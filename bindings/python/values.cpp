@@ -385,6 +385,9 @@ void define_maneuver(py::module_& module) {
             "seconds", [](const Maneuver& m) { return snug::trajectory(m).seconds(); },
             "How long it takes at the usual limits of trajectory(). [s]")
         .property(
+            "standing_steers", [](const Maneuver& m) { return snug::trajectory(m).standing_steers; },
+            "How often the car stands to turn its steering, at the start too.")
+        .property(
             "entry",
             [](const Maneuver& m) -> std::optional<Pose> {
                 if (m.moves.empty()) return std::nullopt;
