@@ -14,7 +14,7 @@ public:
         cairo_save(canvas_);
         const cairo_matrix_t matrix = placed(view, slot, pose);
         cairo_transform(canvas_, &matrix);
-        cairo_translate(canvas_, -car.rear(), 0.0);
+        cairo_translate(canvas_, -car.rear(), (car.outline().left() - car.outline().right()) / 2);
         cairo_scale(canvas_, car.length(), car.width() / 2);
         cairo_new_path(canvas_);
     }
@@ -105,13 +105,8 @@ void draw_wheels(cairo_t* canvas, const View& view, const Car& car, const Slot& 
 }
 
 void trace_frame(cairo_t* canvas, const View& view, const Car& car, const Slot& slot, const Pose& pose, double grown) {
-    const double front = car.front() + grown;
-    const double rear = -car.rear() - grown;
-    const double side = car.width() / 2 + grown;
-    std::vector<Point> corners;
-    for (const Point& corner : {Point{front, side}, Point{rear, side}, Point{rear, -side}, Point{front, -side}}) {
-        corners.push_back(on_page(view, slot, pose, corner));
-    }
+    std::vector<Point> corners = car.outline().grown(grown).corners();
+    for (Point& corner : corners) corner = on_page(view, slot, pose, corner);
     trace(canvas, corners, true);
 }
 

@@ -21,7 +21,7 @@ void draw_car(cairo_t* canvas, const View& view, const Car& car, const Slot& slo
 /// Its wheels, the front ones turned by the steering angle.
 void draw_wheels(cairo_t* canvas, const View& view, const Car& car, const Slot& slot, const Pose& pose,
                  double steering_angle, Color color);
-/// The car frame, grown by `grown` [m] on every side.
+/// The car frame, its outline, grown by `grown` [m] on every side.
 void trace_frame(cairo_t* canvas, const View& view, const Car& car, const Slot& slot, const Pose& pose,
                  double grown = 0.0);
 /// A cross at the rear axle centre.

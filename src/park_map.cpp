@@ -95,8 +95,11 @@ struct ParkMap::Swept {
           place(in),
           options(how),
           here(chart_place(of, in, anywhere(in, how.heading.value_or(heading_of(in))), how.clearance, chart)),
-          outer(here, how.spacing, how.max_changes, watch),
-          inner(here, how.spacing, how.max_changes, watch) {}
+          outer(here, how.spacing, watch),
+          inner(here, how.spacing, watch) {
+        outer.settle();
+        inner.settle();
+    }
     Swept(const Car& of, const Place& in, const ParkMapOptions& how, detail::Unpacking& from)
         : car(of),
           place(in),
@@ -104,6 +107,25 @@ struct ParkMap::Swept {
           here(chart_place(of, in, anywhere(in, how.heading.value_or(heading_of(in))), how.clearance, chart)),
           outer(from),
           inner(here, from) {}
+
+    /// One level more, of those that are counted.
+    template <class Map>
+    bool sweep_on(Map& map, const Watching& watch) {
+        return map.most() < options.max_changes && map.sweep_on(watch);
+    }
+    /// As far as it takes to know of a free pose in the chart.
+    void sweep_for(const Pose& pose, const Watching& watch) {
+        while (outer.changes_at(pose) > outer.most() && sweep_on(outer, watch)) outer.settle();
+        while (!inner.joining(pose) && sweep_on(inner, watch)) inner.settle();
+    }
+    void sweep(const Watching& watch) {
+        while (sweep_on(outer, watch)) {
+        }
+        while (sweep_on(inner, watch)) {
+        }
+        outer.finish();
+        inner.finish();
+    }
 
     /// In the chart; where the heading is not covered the cosine is not positive.
     [[nodiscard]] Pose in_chart(const Pose& pose) const {
@@ -190,6 +212,8 @@ ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& optio
     check_between("clearance", options.clearance, 0.0, limits::longest, " m");
     constexpr double finest = 0.001;  // [m]
     ParkMapOptions asked = options;
+    asked.progress = {};
+    asked.first = {};
     if (asked.spacing == 0.0) asked.spacing = usual_spacing(car);
     check_between("spacing", asked.spacing, finest, coarsest_spacing(car), " m");
     if (options.heading)
@@ -216,7 +240,15 @@ ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& optio
         if (options.progress && !options.progress()) throw Stopped{};
     };
     try {
-        swept_ = std::make_shared<const Swept>(car, place, asked, watch);
+        const auto swept = std::make_shared<Swept>(car, place, asked, watch);
+        swept_ = swept;
+        if (options.first) {
+            const Pose& pose = options.first->pose;
+            if (const MapBounds none = at(pose); none.where == MapBounds::free && none.direction_changes != 0)
+                swept->sweep_for(swept->in_chart(pose), watch);
+            options.first->known(*this);
+        }
+        swept->sweep(watch);
     } catch (const Stopped&) {
         throw Error("the map was given up before it was done");
     }
@@ -243,7 +275,7 @@ MapBounds ParkMap::at(const Pose& pose) const {
     }
     bounds.lower_bound = map.outer.changes_at(here);
     bounds.impossible = map.outer.complete() && bounds.lower_bound > map.outer.most();
-    if (bounds.lower_bound > map.outer.most()) bounds.lower_bound = map.options.max_changes + 1;
+    if (bounds.impossible) bounds.lower_bound = map.options.max_changes + 1;
     if (const std::optional<Joining> joining = map.inner.joining(here)) {
         bounds.direction_changes = joining->changes;
         bounds.first = joining->direction;

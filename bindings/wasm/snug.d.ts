@@ -281,6 +281,8 @@ export interface ParkMapOptions extends Goal {
     max_changes?: number;
     /** Of the cars that come along; nothing: the street's. */
     heading?: number;
+    /** A pose to know of before all others: `known` is told of it what the map says, long before that is done. */
+    first?: { pose: Pose; known: (bounds: MapBounds, way: Maneuver | null) => void };
 }
 
 export interface MapBounds {

@@ -288,10 +288,13 @@ std::optional<Scene> scene_from(const val& object) {
     return scene_from_json(val::global("JSON").call<val>("stringify", object).as<std::string>(), "scene");
 }
 
+Pose pose_of(const val& pose) {
+    return {number(pose, "x"), number(pose, "y"), number_given(pose, "heading").value_or(0.0)};
+}
+
 std::optional<Pose> pose_given(const val& object, const char* key) {
     const std::optional<val> pose = given(object, key);
-    if (!pose) return std::nullopt;
-    return Pose{number(*pose, "x"), number(*pose, "y"), number_given(*pose, "heading").value_or(0.0)};
+    return pose ? std::optional(pose_of(*pose)) : std::nullopt;
 }
 
 /// Where the car is to stand: in the bay, or out of it on the road.
@@ -408,9 +411,6 @@ public:
     [[nodiscard]] double bytes() const { return static_cast<double>(map_.bytes()); }
 
 private:
-    static Pose pose_of(const val& pose) {
-        return {number(pose, "x"), number(pose, "y"), number_given(pose, "heading").value_or(0.0)};
-    }
     ParkMap map_;
 };
 
@@ -424,6 +424,13 @@ val map_of(const val& given_car, const val& given_place, const val& given_option
         options.clearance = number_given(given_options, "clearance").value_or(0.0);
         options.max_changes = count_given(given_options, "max_changes").value_or(options.max_changes);
         options.heading = number_given(given_options, "heading");
+        if (const std::optional<val> first = given(given_options, "first")) {
+            const val pose = (*first)["pose"], known = (*first)["known"];
+            options.first = {pose_of(pose), [pose, known](const ParkMap& so_far) {
+                                 const MapForPage map(so_far);
+                                 known(map.at(pose), map.maneuver(pose));
+                             }};
+        }
         if (const std::optional<Scene> scene = scene_from(given_place)) {
             if (!options.heading) options.heading = scene->start.heading;
             return val(MapForPage(make(car, scene->place, options)));

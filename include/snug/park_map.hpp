@@ -20,6 +20,8 @@ namespace detail {
 struct WayLists;
 }
 
+class ParkMap;
+
 struct ParkMapOptions {
     /// Of the lattice [m]; half of it takes four times as long. 0: 8 cm, or a 32nd of the turning radius where that is less.
     double spacing = 0.0;
@@ -30,6 +32,13 @@ struct ParkMapOptions {
     std::optional<double> heading = {};
     /// Told from time to time; returning false gives up: the constructor throws Error.
     std::function<bool()> progress = {};
+    /// A pose to know of before all others: long before the map is done `known` is told of what is swept so far. That says of this
+    /// pose what the whole map will, and of others perhaps less; it is not to be kept.
+    struct First {
+        Pose pose;
+        std::function<void(const ParkMap& so_far)> known;
+    };
+    std::optional<First> first = {};
 };
 
 /// What a map knows of a pose.

@@ -46,45 +46,52 @@ std::size_t bytes_of(const ByCell<Of>& cells) {
 
 }  // namespace
 
-OuterMap::OuterMap(const ChartPlace& place, double h, int most, const Watching& watch) {
-    const OuterLattice lattice(place, h, h, nullptr, watch);
-    grid_ = lattice.grid();
-    for (const Layer& layer : lattice.free()) spans_.push_back(layer.spans);
-    struct Logged {
-        std::uint32_t node;
-        Micro z, w;
-    };
-    const std::size_t layers = spans_.size();
-    BothWays<std::vector<std::vector<Logged>>> logs;  // by layer and level
-    for (const Direction direction : both_directions) logs.of(direction).resize(layers);
-    BothWays<Pairs> now;
-    for (int k = 0; k <= most && !complete_; ++k) {
-        BothWays<Pairs> next = next_moves(lattice, k > 0 ? &now.forward.back() : nullptr,
-                                          k > 0 ? &now.backward.back() : nullptr, false, watch);
-        complete_ = true;
-        for (const Direction direction : both_directions) {
-            for (std::size_t m = 0; m < layers; ++m) {
-                const Pairs::Of& to = next.of(direction).front().layers[m];
-                const Pairs::Of* from = k > 0 ? &now.of(direction).front().layers[m] : nullptr;
-                std::vector<Logged> log;
-                for (std::size_t i = 0; i < spans_[m].cells; ++i) {
-                    if (from ? to.z[i] == from->z[i] && to.w[i] == from->w[i] : to.z[i] == -nowhere) continue;
-                    log.push_back({static_cast<std::uint32_t>(i), to.z[i], to.w[i]});
-                }
-                complete_ = complete_ && log.empty();
-                logs.of(direction)[m].push_back(std::move(log));
+OuterMap::OuterMap(const ChartPlace& place, double h, const Watching& watch)
+    : sweeping_(Sweeping{OuterLattice(place, h, h, nullptr, watch), {}, {}}), grid_(sweeping_->lattice.grid()) {
+    for (const Layer& layer : sweeping_->lattice.free()) spans_.push_back(layer.spans);
+    for (const Direction direction : both_directions) sweeping_->logs.of(direction).resize(spans_.size());
+}
+
+bool OuterMap::sweep_on(const Watching& watch) {
+    if (complete_) return false;
+    BothWays<Pairs>& now = sweeping_->now;
+    const bool first = most_ < 0;
+    BothWays<Pairs> next = next_moves(sweeping_->lattice, first ? nullptr : &now.forward.back(),
+                                      first ? nullptr : &now.backward.back(), false, watch);
+    complete_ = true;
+    for (const Direction direction : both_directions) {
+        for (std::size_t m = 0; m < spans_.size(); ++m) {
+            const Pairs::Of& to = next.of(direction).front().layers[m];
+            const Pairs::Of* from = first ? nullptr : &now.of(direction).front().layers[m];
+            std::vector<Logged> log;
+            for (std::size_t i = 0; i < spans_[m].cells; ++i) {
+                if (from ? to.z[i] == from->z[i] && to.w[i] == from->w[i] : to.z[i] == -nowhere) continue;
+                log.push_back({static_cast<std::uint32_t>(i), to.z[i], to.w[i]});
             }
+            complete_ = complete_ && log.empty();
+            sweeping_->logs.of(direction)[m].push_back(std::move(log));
         }
-        most_ = k;
-        now = std::move(next);
     }
+    now = std::move(next);
+    ++most_;
+    return true;
+}
+
+void OuterMap::settle() {
     for (const Direction direction : both_directions) {
         std::vector<ByCell<Level>>& mine = direction == Direction::forward ? forward_ : backward_;
-        for (std::size_t m = 0; m < layers; ++m)
-            mine.push_back(by_cell<Level>(logs.of(direction)[m], spans_[m].cells, [](const Logged& one, int k) {
-                return Level{one.z, one.w, k};
-            }));
+        mine.clear();
+        for (std::size_t m = 0; m < spans_.size(); ++m)
+            mine.push_back(
+                by_cell<Level>(sweeping_->logs.of(direction)[m], spans_[m].cells, [](const Logged& one, int k) {
+                    return Level{one.z, one.w, k};
+                }));
     }
+}
+
+void OuterMap::finish() {
+    settle();
+    sweeping_.reset();
 }
 
 int OuterMap::changes_at(const Pose& pose) const {
@@ -139,7 +146,7 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
 
 }  // namespace
 
-InnerMap::InnerMap(const ChartPlace& place, double h, int most, const Watching& watch)
+InnerMap::InnerMap(const ChartPlace& place, double h, const Watching& watch)
     : place_(place), h_(h), sine_step_(h / (2.0 * place.radius)) {
     last_column_ = static_cast<int>(std::floor(steepest_sine / sine_step_));
     first_column_ = -last_column_;
@@ -151,7 +158,6 @@ InnerMap::InnerMap(const ChartPlace& place, double h, int most, const Watching& 
     for (std::vector<InnerSet::Few>& free : free_) free.resize(nodes);
     const std::vector<Band> parked_at = measure_columns(watch);
 
-    std::vector<Logged> parked;
     for (int row = first_row_ + 2; row <= last_row_ - 2; ++row) {
         for (int d = first_column_ + ((first_column_ ^ row) & 1); d <= last_column_; d += 2) {
             const Band& band = parked_at[static_cast<std::size_t>(d - first_column_)];
@@ -161,28 +167,39 @@ InnerMap::InnerMap(const ChartPlace& place, double h, int most, const Watching& 
             if (low + wary > high - wary) continue;
             for (const Interval& free : known(at_node, row, d)) {
                 const Interval both = {std::max(low + wary, free.low), std::min(high - wary, free.high)};
-                if (both.low <= both.high) parked.push_back({static_cast<std::uint32_t>(index(row, cell_of(d))), both});
+                if (both.low <= both.high)
+                    parked_log_.push_back({static_cast<std::uint32_t>(index(row, cell_of(d))), both});
             }
         }
     }
-    parked_ = by_cell<Interval>(std::vector<std::vector<Logged>>{parked}, nodes,
+    parked_ = by_cell<Interval>(std::vector<std::vector<Logged>>{parked_log_}, nodes,
                                 [](const Logged& one, int) { return one.y; });
-
-    BothWays<std::vector<Logged>> logs;  // by level
-    std::vector<InnerSet::Few> sets[2] = {std::vector<InnerSet::Few>(nodes), std::vector<InnerSet::Few>(nodes)};
+    for (std::vector<InnerSet::Few>& sets : sets_) sets.resize(nodes);
     changed_.resize(nodes);
-    for (int k = 0; k <= most; ++k) {
-        for (const Direction direction : both_directions) {
-            const std::vector<Logged>& begins =
-                k == 0 ? parked : logs.of(other(direction))[static_cast<std::size_t>(k) - 1];
-            std::vector<Logged> log = sweep(begins, direction, sets[direction == Direction::forward ? 0 : 1], watch);
-            logs.of(direction).push_back(std::move(log));
-        }
-        if (logs.forward.back().empty() && logs.backward.back().empty()) break;
+}
+
+bool InnerMap::sweep_on(const Watching& watch) {
+    if (most() >= 0 && logs_.forward.back().empty() && logs_.backward.back().empty()) return false;
+    const auto k = logs_.forward.size();
+    for (const Direction direction : both_directions) {
+        const std::vector<Logged>& begins = k == 0 ? parked_log_ : logs_.of(other(direction))[k - 1];
+        std::vector<Logged> log = sweep(begins, direction, sets_[direction == Direction::forward ? 0 : 1], watch);
+        logs_.of(direction).push_back(std::move(log));
     }
+    return true;
+}
+
+void InnerMap::settle() {
     const auto level = [](const Logged& one, int k) { return Level{one.y, k}; };
-    forward_ = by_cell<Level>(logs.forward, nodes, level);
-    backward_ = by_cell<Level>(logs.backward, nodes, level);
+    forward_ = by_cell<Level>(logs_.forward, changed_.size(), level);
+    backward_ = by_cell<Level>(logs_.backward, changed_.size(), level);
+}
+
+void InnerMap::finish() {
+    settle();
+    parked_log_ = {};
+    logs_ = {};
+    for (std::vector<InnerSet::Few>& sets : sets_) sets = {};
     changed_ = {};
     reached_ = {};
     taken_ = {};
@@ -345,7 +362,6 @@ std::vector<InnerMap::Logged> InnerMap::sweep(const std::vector<Logged>& begins,
             const bool from_left = changed_[left] != 0, from_right = changed_[right] != 0,
                        from_opposite = changed_[opposite] != 0;
             if (first_begin == next && !from_left && !from_right && !from_opposite) continue;
-            ++updates;
             InnerSet::Few& set = sets[here];
             const auto old = [&](std::uint32_t i) -> const Interval& { return reached_[set.begin + i]; };
             found.clear();

@@ -35,11 +35,16 @@ struct ByCell {
     [[nodiscard]] const Of* last(std::size_t cell) const { return of.data() + begin[cell + 1]; }
 };
 
-/// No maneuver has fewer changes.
+/// No maneuver has fewer changes. Swept level by level; look-ups know of those swept when it last settled.
 class OuterMap {
 public:
-    OuterMap(const ChartPlace& place, double h, int most, const Watching& watch);
+    OuterMap(const ChartPlace& place, double h, const Watching& watch);
     explicit OuterMap(Unpacking& from) { from(*this); }
+    /// One level more; false where that would hold nothing new.
+    bool sweep_on(const Watching& watch);
+    void settle();
+    /// Settles, for no more will be swept.
+    void finish();
     template <class Self, class Pack>
     static void pack(Self& self, Pack& pack) {
         pack(self.grid_, self.spans_, self.most_, self.complete_, self.forward_, self.backward_);
@@ -58,9 +63,19 @@ private:
         Micro z, w;
         int changes;
     };
+    struct Logged {
+        std::uint32_t node;
+        Micro z, w;
+    };
+    struct Sweeping {
+        OuterLattice lattice;
+        BothWays<std::vector<std::vector<Logged>>> logs;  ///< by layer and level
+        BothWays<Pairs> now;
+    };
+    std::optional<Sweeping> sweeping_;
     CellGrid grid_;
     std::vector<Spans> spans_;  ///< of the layers that are free
-    int most_ = 0;
+    int most_ = -1;
     bool complete_ = false;
     std::vector<ByCell<Level>> forward_, backward_;  ///< beside them
 };
@@ -74,11 +89,16 @@ struct Joining {
     double first_side = 1.0;  ///< of the first arc; the second is of the other
 };
 
-/// A maneuver has so many changes.
+/// A maneuver has so many changes. Swept like OuterMap.
 class InnerMap {
 public:
-    InnerMap(const ChartPlace& place, double h, int most, const Watching& watch);
+    InnerMap(const ChartPlace& place, double h, const Watching& watch);
     InnerMap(const ChartPlace& place, Unpacking& from) : place_(place) { from(*this); }
+    bool sweep_on(const Watching& watch);
+    void settle();
+    void finish();
+    /// Levels swept, less one.
+    [[nodiscard]] int most() const { return static_cast<int>(logs_.forward.size()) - 1; }
     template <class Self, class Pack>
     static void pack(Self& self, Pack& pack) {
         pack(self.h_, self.sine_step_, self.first_row_, self.last_row_, self.first_cell_, self.first_column_,
@@ -99,8 +119,6 @@ public:
         return level_[static_cast<std::size_t>(after_first)];
     }
     [[nodiscard]] std::size_t bytes() const;
-
-    std::size_t updates = 0;
 
 private:
     static constexpr std::size_t most_intervals = 4;  ///< at a node
@@ -156,11 +174,16 @@ private:
     std::size_t width_ = 0;
     std::vector<double> level_;
     std::vector<InnerSet::Few> free_[kinds];
-    std::vector<Interval> intervals_, reached_, taken_;
-    std::vector<double> lows_, highs_;
-    std::vector<std::uint8_t> changed_;
+    std::vector<Interval> intervals_;
     ByCell<Level> forward_, backward_;
     ByCell<Interval> parked_;
+    // While it is swept.
+    std::vector<Logged> parked_log_;
+    BothWays<std::vector<Logged>> logs_;  ///< by level
+    std::vector<InnerSet::Few> sets_[2];
+    std::vector<Interval> reached_, taken_;
+    std::vector<double> lows_, highs_;
+    std::vector<std::uint8_t> changed_;
 };
 
 }  // namespace snug::detail::sets

@@ -125,6 +125,47 @@ TEST(ParkMap, ManeuversParkWithoutTouchingAnythingAndWithAsManyChangesAsSaid) {
     EXPECT_GT(found, 5 * count);
 }
 
+TEST(ParkMap, WhatItSaysFirstOfOnePoseIsWhatItSaysInTheEndAndOfOthersNothingWrong) {
+    const int count = snug::test::sample(24, 600);
+    int fewer_levels = 0;
+    for (int i = 0; i < count; ++i) {
+        const Case asked = random_case(static_cast<std::uint64_t>(i) + 2650000);
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
+        Random random(static_cast<std::uint64_t>(i) + 2660000);
+        ParkMapOptions options = with_heading(asked.start.heading, asked.car.turning_radius() / 32.0);
+        const ParkMap whole(asked.car, asked.place, options);
+        for (int n = 0; n < 4; ++n) {
+            const Pose pose = random_pose(random, asked);
+            int told = 0;
+            options.first = {pose, [&](const ParkMap& so_far) {
+                                 ++told;
+                                 EXPECT_EQ(so_far.at(pose), whole.at(pose)) << spelled(pose);
+                                 EXPECT_EQ(so_far.maneuver(pose), whole.maneuver(pose)) << spelled(pose);
+                                 fewer_levels += so_far.bytes() < whole.bytes();
+                                 for (int m = 0; m < 200; ++m) {
+                                     const Pose other = random_pose(random, asked);
+                                     const MapBounds some = so_far.at(other), all = whole.at(other);
+                                     EXPECT_EQ(some.where, all.where) << spelled(other);
+                                     EXPECT_LE(some.lower_bound, all.lower_bound) << spelled(other);
+                                     EXPECT_LE(some.impossible, all.impossible) << spelled(other);
+                                     if (some.direction_changes) {
+                                         EXPECT_EQ(some.direction_changes, all.direction_changes) << spelled(other);
+                                     }
+                                 }
+                             }};
+            const ParkMap map(asked.car, asked.place, options);
+            EXPECT_EQ(told, 1);
+            EXPECT_EQ(map.bytes(), whole.bytes());
+            for (int m = 0; m < 200; ++m) {
+                const Pose other = random_pose(random, asked);
+                EXPECT_EQ(map.at(other), whole.at(other)) << spelled(other);
+            }
+            if (HasFailure()) return;
+        }
+    }
+    EXPECT_GT(fewer_levels, count);
+}
+
 TEST(ParkMap, PackedAndUnpackedItSaysTheSame) {
     const int count = snug::test::sample(12, 200);
     for (int i = 0; i < count; ++i) {

@@ -64,7 +64,7 @@ function run(snug: Snug, questions: Asker) {
     const refresh = () => {
         if (due) return;
         due = true;
-        requestAnimationFrame(frame);
+        requestAnimationFrame(() => due && frame());
     };
     /** A heading belongs to its question: another question begins at the best one again. */
     const change = (next: Inputs) => {
@@ -101,6 +101,7 @@ function run(snug: Snug, questions: Asker) {
         road: (by) => inputs.road !== null && change({ ...inputs, road: within("road", inputs.road + by) }),
         grabbed: () => player.pause(),
         released: () => {
+            if (due) frame();
             parking.released();
             refresh();
         },

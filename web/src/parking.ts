@@ -23,6 +23,8 @@ export interface Parking {
     way: Maneuver | null;
     /** Where the car stood when they were looked up. */
     lookedAt: Pose | null;
+    /** They are of the place of a moment ago. */
+    stale: boolean;
     /** Of the last slice that came. */
     painted: { slice: Slice; counts: NonNullable<Seen["counts"]> } | null;
     exact: ParkAnswer | null;
@@ -35,6 +37,16 @@ export interface Parking {
 type Counted = Pick<Maneuver, "moves" | "direction_changes">;
 const changes = (way: Counted | null) => way?.direction_changes ?? Infinity;
 
+/** A search that begins anew takes back nothing. */
+const closer = (now: FewestProgress, before: FewestProgress | null): FewestProgress => {
+    const known = [now, before].flatMap((one) => one?.direction_changes ?? []);
+    return {
+        ...now,
+        lower_bound: Math.max(now.lower_bound, before?.lower_bound ?? 0),
+        ...(known.length > 0 ? { direction_changes: Math.min(...known) } : {}),
+    };
+};
+
 export function createParking(snug: Snug, questions: Asker, listener: Listener) {
     const state: Parking = {
         scene: { obstacles: [], parked: { inside: [], heading: 0 }, start: [0, 0, 0] },
@@ -42,6 +54,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         bounds: null,
         way: null,
         lookedAt: null,
+        stale: false,
         painted: null,
         exact: null,
         proved: null,
@@ -60,8 +73,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
     let [since, sinceStill, wayless] = [NaN, NaN, NaN]; // not a number: told already
     const tellTimes = () => {
         const now = performance.now();
-        // Not from the map of a moment ago.
-        const mapped = state.lookedAt === state.pose && map.state()?.current;
+        const mapped = state.lookedAt === state.pose && !state.stale;
         if (since && (state.exact ?? state.proved ?? mapped)) {
             times.answers.push(now - since);
             since = NaN;
@@ -78,6 +90,13 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
 
     const map = createStreetMap(snug, questions, {
         busy: listener.busy,
+        first: (pose, seen) => {
+            if (pose !== state.pose) return;
+            Object.assign(state, { ...seen, lookedAt: pose, stale: false, trouble: "" });
+            tellTimes();
+            listener.changed();
+            soonExact(askExact, 0);
+        },
         ready: () => {
             painted = "";
             lookUp();
@@ -87,9 +106,10 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         seen: ({ pose, slice }, { bounds, way, counts }) => {
             if (!map.state()?.near) return; // of a place that was left
             state.trouble = "";
-            // While the car is dragged, one map says all: no count jumps to and fro.
-            const stays = listener.busy() && map.state()?.own;
-            if (pose === state.pose && !stays) Object.assign(state, { bounds, way, lookedAt: pose });
+            // While the car is dragged, one map says all: no count jumps to and fro. Nor is what is known taken back.
+            const stale = !map.state()?.current;
+            const stays = (listener.busy() && map.state()?.own) || (stale && state.lookedAt === pose && !state.stale);
+            if (pose === state.pose && !stays) Object.assign(state, { bounds, way, lookedAt: pose, stale });
             if (slice && counts) {
                 state.painted = { slice, counts };
                 painted = JSON.stringify(slice);
@@ -112,7 +132,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
     /** In the page's own map, if that is of this place. */
     const lookUp = () => {
         const seen = map.at(state.pose);
-        if (seen) Object.assign(state, { ...seen, lookedAt: state.pose });
+        if (seen) Object.assign(state, { ...seen, lookedAt: state.pose, stale: false });
         tellTimes();
     };
 
@@ -122,8 +142,10 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         if (wayless) wayless = performance.now();
         tellTimes();
         map.takeOver();
+        map.hurry();
         look();
-        soonExact(askExact, 0);
+        // Two at a time would wait for each other where there are few cores.
+        soonExact(askExact, state.lookedAt === state.pose && !state.stale ? 0 : 60);
     };
 
     const caseOf = (inputs: Inputs) => ({
@@ -144,7 +166,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         questions.ask("park", "park", { ...caseOf(wanted), start: state.pose }, (told) => {
             if (mine !== asked) return;
             if ("error" in told) state.trouble = told.error;
-            else if ("so_far" in told) state.soFar = told.so_far;
+            else if ("so_far" in told) state.soFar = closer(told.so_far, state.soFar);
             else if ("proved" in told) state.proved = told.proved;
             else state.exact = told.answer;
             tellTimes();
@@ -173,19 +195,17 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
         const key = JSON.stringify(its);
         const question = JSON.stringify([key, inputs.pose]);
         if (question === asked) return false;
-        if (key !== place) {
-            const scene = snug.scene(its.car, its.place, its.options);
-            place = key;
-            state.scene = scene;
-            // Out of a bay: the map covers headings from the car's to the road's.
-            const heading = goalOf(inputs) === "road" && "heading" in scene.parked ? { heading: scene.parked.heading } : {};
-            map.set({ ...its, options: { ...its.options, ...heading } });
-            Object.assign(state, { bounds: null, way: null, lookedAt: null }, map.state()?.near ? {} : { painted: null });
-        }
+        const elsewhere = key !== place;
+        const scene = elsewhere ? snug.scene(its.car, its.place, its.options) : state.scene;
+        place = key;
         asked = question;
         wanted = inputs;
         since = sinceStill = wayless = performance.now();
-        Object.assign(state, { pose: inputs.pose ?? usualPose(inputs, state.scene), exact: null, proved: null, soFar: null, trouble: "" });
+        Object.assign(state, { scene, pose: inputs.pose ?? usualPose(inputs, scene), exact: null, proved: null, soFar: null, trouble: "" });
+        // Out of a bay: the map covers headings from the car's to the road's.
+        const heading = goalOf(inputs) === "road" && "heading" in scene.parked ? { heading: scene.parked.heading } : {};
+        map.set({ ...its, options: { ...its.options, ...heading } }, state.pose);
+        if (elsewhere) Object.assign(state, { bounds: null, way: null, lookedAt: null, stale: false }, map.state()?.near ? {} : { painted: null });
         questions.abandon("park");
         searching = false;
         lookUp();

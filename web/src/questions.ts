@@ -54,10 +54,13 @@ export interface Questions {
         ask: PlaceCase & { start: Pose };
         tell: { so_far: FewestProgress } | { proved: ParkAnswer } | { answer: ParkAnswer };
     };
-    /** From every pose: the worker keeps the map and answers looks; up to so many bytes it also hands it over, packed. */
+    /**
+     * From every pose: the worker keeps the map and answers looks; up to so many bytes it also hands it over, packed. What it
+     * says of the pose under `first` is told before the rest is swept.
+     */
     "street-map": {
-        ask: PlaceCase & { spacing: number; hand_over: number };
-        tell: { spacing: number; milliseconds: number; packed: Uint8Array | null };
+        ask: PlaceCase & { spacing: number; hand_over: number; first: Pose | null };
+        tell: { bounds: MapBounds; way: Maneuver | null } | { spacing: number; milliseconds: number; packed: Uint8Array | null };
     };
     look: {
         ask: { pose: Pose; slice: Slice | null };

@@ -15,6 +15,8 @@ export interface Seen {
 }
 
 interface Listener {
+    /** What the map of the place that was set last will say of the pose that was named then: it is swept still. */
+    first(pose: Pose, seen: Pick<Seen, "bounds" | "way">): void;
     /** A map is there, of what was asked last or of a moment before; looks are answered from it. */
     ready(): void;
     seen(look: Look, seen: Seen): void;
@@ -36,6 +38,7 @@ const kin = ({ car, place, options }: PlaceCase) => JSON.stringify([car, options
 
 export function createStreetMap(snug: Snug, questions: Asker, listener: Listener) {
     let wanted: PlaceCase | null = null;
+    let stands: Pose | null = null;
     let key = "";
     let sweeping: { key: string; level: number } | null = null;
     let front = 0;
@@ -47,10 +50,15 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
     const sweep = (level: number) => {
         if (!wanted) return;
         const mine = { key, level };
+        const first = level === 0 ? stands : null;
         const swept = { ...wanted, spacing: coarsest(wanted.car) * levels[level]! };
         sweeping = mine;
         const back = 1 - front;
-        questions.ask(`street-${back}`, "street-map", { ...swept, hand_over: level === 0 ? largestOwn : 0 }, (told) => {
+        questions.ask(`street-${back}`, "street-map", { ...swept, first, hand_over: level === 0 ? largestOwn : 0 }, (told) => {
+            if ("bounds" in told) {
+                if (first && mine.key === key) listener.first(first, told);
+                return;
+            }
             sweeping = null;
             if ("error" in told) {
                 if (mine.key === key && level === 0) listener.failed(told.error);
@@ -67,6 +75,18 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
             if (mine.key !== key) sweep(0);
             else if (!("error" in told) && level + 1 < levels.length) sweep(level + 1);
         });
+    };
+
+    /** Nothing is dragged any more: what is swept for a place that was passed on the way is in the way. */
+    const hurry = () => {
+        if (sweeping?.level !== 0 || sweeping.key === key) return;
+        questions.abandon(`street-${1 - front}`);
+        // The other worker is warm; a new one takes half as long again.
+        if (!looking) {
+            front = 1 - front;
+            held = null;
+        }
+        sweep(0);
     };
 
     let own: { key: string; map: ParkMap } | null = null;
@@ -95,8 +115,9 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
         return found;
     };
 
-    /** The place is this one now. */
-    const set = (next: PlaceCase) => {
+    /** The place is this one now, and the car stands there. */
+    const set = (next: PlaceCase, pose: Pose) => {
+        stands = pose;
         const its = JSON.stringify(next);
         if (its === key) return;
         key = its;
@@ -133,6 +154,7 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
         look,
         at,
         takeOver,
+        hurry,
         looking: () => looking !== 0,
         times,
         /** Null: none yet. `current`: of the place that was set last; `near`: of one like it. */

@@ -50,7 +50,7 @@ const sentence = (text: string) =>
 const metres = (value: number) => `${value.toFixed(2)}\u00a0m`;
 
 /** In the street: the exact answer where there is one, else what the map says. `map`: null while there is none of this place. */
-export function sayPark(snug: Snug, inputs: Inputs, { bounds, exact, proved: before, soFar, pose, trouble }: Parking, map: { spacing: number } | null) {
+export function sayPark(snug: Snug, inputs: Inputs, { bounds, stale, exact, proved: before, soFar, pose, trouble }: Parking, map: { spacing: number } | null) {
     for (const id of ["try-all", "best"]) set(byId(id), { hidden: "" });
     const short = inputs.scene ? "" : tooSmall(snug, inputs);
     set(byId("fit-slot"), { hidden: short ? null : "" });
@@ -65,7 +65,7 @@ export function sayPark(snug: Snug, inputs: Inputs, { bounds, exact, proved: bef
 
     const ago = "Of a moment ago; the street is being swept.";
     const range = (low: number, high?: number) => (high === undefined ? `≥ ${low}` : low === high ? String(high) : `${low} – ${high}`);
-    if (!map) setText(byId("map-says"), "…");
+    if (stale || (!map && !bounds)) setText(byId("map-says"), "…");
     else if (!bounds) setText(byId("map-says"), "–");
     else if (bounds.where === "outside") setText(byId("map-says"), "beyond it");
     else setText(byId("map-says"), bounds.where === "blocked" ? "blocked" : bounds.impossible ? "impossible" : range(bounds.lower_bound, bounds.direction_changes));
@@ -82,27 +82,29 @@ export function sayPark(snug: Snug, inputs: Inputs, { bounds, exact, proved: bef
         else say("Undecided", "open", `≥ ${lower_bound}`, plural(2), `Nothing found on a lattice of ${plain(1000 * spacing, 1)} mm in the time given.`);
         return;
     }
-    if (bounds?.where === "blocked") say("It cannot stand here", "not", "–", "it meets something", "Move the car, or turn it, until it stands free.");
+    // What the search found is of this place, what the map of a moment ago says may not be.
+    const search = soFar && (soFar.lower_bound > 0 || soFar.direction_changes !== undefined) ? soFar : null;
+    const mapped = stale && search ? null : bounds;
+    if (mapped?.where === "blocked") say("It cannot stand here", "not", "–", "it meets something", "Move the car, or turn it, until it stands free.");
     else if (trouble) say("No answer", "open", "–", "", sentence(trouble));
-    else if (bounds?.where === "outside") say("Beyond the map", "open", "…", "", "It covers headings within 80° of the middle between the street’s and the parked one. Searching from here alone.");
-    else if (!bounds) say("Computing", "open", "…", "direction changes", "The street is being swept.");
-    else if (bounds.impossible) say(fitsNot!, "not", "∅", "no way", short || (map ? "Proved by the map: no number of changes will do." : ago));
+    else if (mapped?.where === "outside") say("Beyond the map", "open", "…", "", "It covers headings within 80° of the middle between the street’s and the parked one. Searching from here alone.");
+    else if (mapped?.impossible) say(fitsNot!, "not", "∅", "no way", short || (stale ? ago : "Proved by the map: no number of changes will do."));
+    else if (!mapped && !search) say("Computing", "open", "…", "direction changes", "The street is being swept.");
     else {
-        // What the search found is of this place, what the map of a moment ago says may not be.
-        const search = map ? soFar : null;
-        const low = Math.max(bounds.lower_bound, search?.lower_bound ?? 0);
-        const high = Math.min(bounds.direction_changes ?? Infinity, search?.direction_changes ?? Infinity);
+        const low = Math.max(mapped?.lower_bound ?? 0, search?.lower_bound ?? 0);
+        const high = Math.min(mapped?.direction_changes ?? Infinity, search?.direction_changes ?? Infinity);
         const known = high < Infinity ? high : undefined;
         const word = known === undefined ? "Searching" : fits!;
-        const note = !map
-            ? ago
-            : low === known
-                ? "Proved: no maneuver has fewer."
-                : known === undefined
-                  ? "No way is known yet. The search from here goes on."
-                  : known === bounds.direction_changes
-                    ? "From the map, checked by exact contact; the proof follows."
-                    : "Found from here. The search for fewer goes on, then the way is shown.";
+        const note =
+            mapped && stale
+                ? ago
+                : low === known
+                  ? "Proved: no maneuver has fewer."
+                  : known === undefined
+                    ? "No way is known yet. The search from here goes on."
+                    : known === mapped?.direction_changes
+                      ? "From the map, checked by exact contact; the proof follows."
+                      : "Found from here. The search for fewer goes on, then the way is shown.";
         say(word, known === undefined ? "open" : "fits", range(low, known), plural(known ?? 2), note);
     }
 }

@@ -1,5 +1,5 @@
 // Answers long questions away from the page, one at a time.
-import type { ParkMap, Snug } from "snug";
+import type { Maneuver, MapBounds, ParkMap, Snug } from "snug";
 import { more, mostInStreet, type FromWorker, type Kind, type Questions, type ToWorker } from "./questions";
 import { start } from "./solver";
 
@@ -33,11 +33,12 @@ const park: Answer<"park"> = (snug, { car, place, options, start }, tell) => {
 };
 
 let held: ParkMap | null = null;
-const streetMap: Answer<"street-map"> = (snug, { car, place, options, spacing, hand_over }, tell) => {
+const streetMap: Answer<"street-map"> = (snug, { car, place, options, spacing, hand_over, first: pose }, tell) => {
     const before = performance.now();
     held?.delete();
     held = null;
-    held = snug.parkMap(car, place, { ...options, spacing, max_changes: mostInStreet });
+    const first = pose && { pose, known: (bounds: MapBounds, way: Maneuver | null) => tell({ bounds, way }) };
+    held = snug.parkMap(car, place, { ...options, spacing, max_changes: mostInStreet, ...(first ? { first } : {}) });
     const packed = held.bytes <= hand_over ? held.packed() : null;
     tell({ spacing, milliseconds: performance.now() - before, packed }, true, packed ? [packed.buffer] : []);
 };

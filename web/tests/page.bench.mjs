@@ -89,21 +89,26 @@ async function street(name, path) {
         await page.mouse.down();
         return at;
     };
-    /** Put down so many times; until one more `of` is told. */
-    const puts = async (what, of, count, move) => {
-        const cpu = [];
+    /** Put down so many times, after so many frames of dragging; until one more `of` is told. */
+    const puts = async (what, of, count, move, dragged = 0) => {
+        const [cpu, took] = [[], []];
         await page.evaluate((of) => (window.snugPage.times[of].length = window.snugPage.times.ways.length = 0), of);
         for (let i = 0; i < count; ++i) {
             const [x, y] = await held(what);
             const before = (await clock()).process;
+            for (let n = 0; n < dragged; ++n) {
+                await page.mouse.move(...move(x - 10 * Math.sin(n), y, i));
+                await settled(page);
+            }
             const told = await page.evaluate((of) => window.snugPage.times[of].length, of);
             await page.mouse.move(...move(x, y, i));
             await page.mouse.up();
             await page.waitForFunction(([of, told]) => window.snugPage.times[of].length > told || window.snugPage.parking.bounds?.where === "blocked", [of, told]);
             cpu.push((await clock()).process - before);
+            took.push(...(await page.evaluate(([of, told]) => window.snugPage.times[of].slice(told).slice(-1), [of, told])));
             await rest().catch(() => {});
         }
-        return cpu;
+        return [took, cpu];
     };
     const [x, y] = await held("car");
     await page.evaluate(() => (window.snugPage.map.times.looks.length = window.snugPage.map.times.own.length = 0));
@@ -114,7 +119,7 @@ async function street(name, path) {
     line(`${name}/car-dragged/look-ups-by-a-worker`, await times(["map", "looks"]));
     const proof = await puts("car", "proofs", 8, (x, y, i) => [x + 24 * Math.cos(2.4 * i), y + 10 * Math.sin(2.4 * i)]);
     line(`${name}/car-put-down/checked-way`, await times(["times", "ways"]));
-    line(`${name}/car-put-down/proved-way`, await times(["times", "proofs"]), proof);
+    line(`${name}/car-put-down/proved-way`, ...proof);
 
     const [rx, ry] = await held("rear");
     const wide = await cpuOfSteps(page, clock, 30, (step) => page.mouse.move(rx - 20 + 20 * Math.cos(step / 5), ry));
@@ -122,9 +127,12 @@ async function street(name, path) {
     await rest();
     line(`${name}/neighbour-dragged`, [], wide);
     line(`${name}/map-taken-over`, await times(["map", "taken"]));
-    const moved = await puts("rear", "answers", 8, (x, y, i) => [x + (i % 2 ? 5 : -5), y]);
-    line(`${name}/neighbour-put-down/answer`, await times(["times", "answers"]), moved);
+    const moved = await puts("rear", "answers", 10, (x, y, i) => [x + (i % 2 ? 5 : -5), y]);
+    line(`${name}/neighbour-put-down/answer`, ...moved);
     line(`${name}/neighbour-put-down/checked-way`, await times(["times", "ways"]));
+    const passed = await puts("rear", "answers", 10, (x, y, i) => [x + (i % 2 ? 5 : -5), y], 12);
+    line(`${name}/neighbour-dragged-and-put-down/answer`, ...passed);
+    line(`${name}/neighbour-dragged-and-put-down/checked-way`, await times(["times", "ways"]));
     line(`${name}/first-map`, await times(["map", "maps"]));
     await page.context().close();
 }

@@ -84,6 +84,51 @@ test("while the car is dragged, the page's own map answers in the frame that ask
     await page.mouse.up();
 });
 
+test("a neighbour put down: what is said of the car's pose before the rest is swept is what the whole map says, and right by the command", { timeout: 600_000 }, async () => {
+    for (const path of ["#mode=street&length=5.4", "#mode=street&length=4.9", "#mode=street&angle=90&length=5&width=2.5"]) {
+        const page = await site.page({ path });
+        await mapped(page);
+        // What workers tell of maps, in turn, and how the page stands then.
+        await page.evaluate(() => {
+            window.told = [];
+            const { get, set } = Object.getOwnPropertyDescriptor(Worker.prototype, "onmessage");
+            Object.defineProperty(Worker.prototype, "onmessage", {
+                get,
+                set(heard) {
+                    set.call(this, (event) => {
+                        heard(event);
+                        const { id, told } = event.data;
+                        const { parking, inputs } = window.snugPage;
+                        if ("bounds" in told && !("counts" in told)) window.told.push({ id, ...told, said: parking.lookedAt === parking.pose && !parking.stale && parking.bounds, pose: parking.pose, place: JSON.stringify(inputs()) });
+                        if ("packed" in told) window.told.push({ id, spacing: told.spacing });
+                    });
+                },
+            });
+        });
+        for (const by of [-9, 4, -7]) {
+            await drag(page, "rear", by, 0);
+            const found = await sameAsCommand(page, `${path} by ${by}`);
+            await mapped(page);
+            const [first, whole] = await page.evaluate(() => {
+                const { snug, parking, inputs } = window.snugPage;
+                const { car, length, width, road, angle } = inputs();
+                const at = window.told.findLastIndex((one) => one.bounds && one.place === JSON.stringify(inputs()));
+                const { id, bounds, way, said, pose } = window.told[at];
+                const { spacing } = window.told.slice(at).find((one) => one.id === id && one.spacing); // it came later
+                const place = { length, width, road, ...(angle ? { angle: (angle * Math.PI) / 180 } : {}) };
+                const map = snug.parkMap(car, place, { spacing, max_changes: 20 });
+                const whole = { bounds: map.at(parking.pose), way: map.maneuver(parking.pose), said: map.at(parking.pose), pose: parking.pose };
+                map.delete();
+                return [{ bounds, way, said, pose }, whole];
+            });
+            assert.deepEqual(differences(first, whole), [], `${path} by ${by}`);
+            const { bounds, way } = first;
+            assert.ok(bounds.lower_bound <= found.direction_changes && (!bounds.proved || found.direction_changes === bounds.direction_changes), JSON.stringify(bounds));
+            if (way) assert.ok(found.lower_bound <= way.direction_changes && way.direction_changes <= bounds.direction_changes);
+        }
+    }
+});
+
 test("every kind of place has the command's answer: at an angle, tail and nose first, both sides, in and out", { timeout: 900_000 }, async () => {
     const page = await site.page();
     const cases = [
@@ -310,7 +355,9 @@ test("links: the street's come back whole, the old ones open as they were, bad o
                 const { parking, map } = window.snugPage;
                 const watch = () => {
                     const known = map.state()?.current || parking.proved || parking.exact;
-                    said.push([document.getElementById("count").textContent, !known && (parking.bounds || parking.way || parking.painted) ? "of the last" : ""]);
+                    const first = parking.lookedAt === parking.pose && !parking.stale; // told before the map is done
+                    const last = (!known && parking.painted) || (!known && !first && (parking.bounds || parking.way));
+                    said.push([document.getElementById("count").textContent, last ? "of the last" : ""]);
                     if (said.length % 12 === 0) location.hash = links.shift() ?? location.hash;
                     if (links.length === 0 && map.state()?.current) done(said);
                     else requestAnimationFrame(watch);
