@@ -39,13 +39,12 @@ soak: build
 	ctest --preset soak --parallel $(JOBS)
 	$(MAKE) fuzz RUNS=200000
 
-# Readers and solver fed by libFuzzer, in a build by clang.
+# Readers and solver fed by libFuzzer.
 RUNS := 20000
 fuzz: setup
-	cmake --preset fuzz
+	cmake --preset sanitize
 	cmake --build --preset fuzz --parallel $(JOBS)
-	build/fuzz/fuzz -runs=$(RUNS) -seed=1 -max_len=2000 -len_control=0 -dict=tests/fuzz/words.txt -print_final_stats=1 \
-	    -artifact_prefix=build/fuzz/
+	sh tests/fuzz/run.sh build/sanitize/tests/fuzz $(RUNS)
 
 # Which lines the tests of the libraries run, with a tenth of their sample: build/coverage/index.html, and a table.
 coverage: setup
