@@ -410,6 +410,39 @@ AtlasMove AtlasCell::move(std::size_t i) const noexcept {
     return move;
 }
 
+namespace {
+
+/// What no atlas stores of a contact: which corner of the outline meets the obstacle, the one that is farthest that way; of an
+/// edge, which meets a neighbour's corner, the one that it follows.
+std::size_t part_index(const Car& car, const Slot& slot, const Pose& at, Obstacle obstacle) {
+    const double c = std::cos(at.heading), s = std::sin(at.heading);
+    std::vector<Point> corners = car.outline().corners();
+    for (Point& corner : corners)
+        corner = slot.to_slot(Point{at.x + c * corner.x - s * corner.y, at.y + s * corner.x + c * corner.y});
+    const auto apart = [&](std::size_t i) {
+        const Point& from = corners[i];
+        switch (obstacle) {
+            case Obstacle::curb: return from.y;
+            case Obstacle::front_side: return -from.x;
+            case Obstacle::rear_side: return from.x;
+            default: break;
+        }
+        const Point& to = corners[(i + 1) % corners.size()];
+        const Point met = {obstacle == Obstacle::front_corner ? 0.0 : -slot.length(), 0.0};
+        const Point edge = {to.x - from.x, to.y - from.y};
+        const double part =
+            ((met.x - from.x) * edge.x + (met.y - from.y) * edge.y) / (edge.x * edge.x + edge.y * edge.y);
+        const double on = std::clamp(part, 0.0, 1.0);
+        return std::hypot(from.x + on * edge.x - met.x, from.y + on * edge.y - met.y);
+    };
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < corners.size(); ++i)
+        if (apart(i) < apart(nearest)) nearest = i;
+    return nearest;
+}
+
+}  // namespace
+
 Maneuver maneuver(const AtlasCell& cell, const Car& car, const Slot& slot) {
     // The stored slot lies in the real one with its entry corner on that one's. What it lacks, it lacks at the other end.
     const bool backward = cell.enter() == Enter::backward;
@@ -437,6 +470,7 @@ Maneuver maneuver(const AtlasCell& cell, const Car& car, const Slot& slot) {
         if (move.contact && slot.side() == Side::left) move.contact->part = mirrored(move.contact->part);
         move.start = pose;
         move.end = pose = drive(car, move.start, move.direction, move.steering_angle, move.length);
+        if (move.contact) move.contact->part_index = part_index(car, slot, move.end, move.contact->obstacle);
         driven.moves.push_back(move);
     }
     return driven;

@@ -238,17 +238,17 @@ private:
         constexpr std::array sides = {Obstacle::front_side, Obstacle::curb, Obstacle::rear_side};
         constexpr std::array ends = {Obstacle::front_corner, Obstacle::curb, Obstacle::rear_corner};
         constexpr std::array edges = {CarPart::front_edge, CarPart::rear_edge, CarPart::left_edge, CarPart::right_edge};
+        constexpr std::array<std::size_t, 4> followed = {3, 1, 0, 2};  // corners, counted in the order of their names
         if (apart != whole_frame) {
-            return {edges[apart - 1], ends[wall]};
+            return {edges[apart - 1], ends[wall], followed[apart - 1]};
         }
         // The corner farthest towards the wall. A car that went round over a neighbour comes to it from the outside.
         const double towards = inner_gap(wall, at) >= 0.0 ? 1.0 : -1.0;
         const double ahead = towards * (wall == curb ? -at.s : wall == front_side ? at.c : -at.c);
         const double to_left = towards * (wall == curb ? -at.c : wall == front_side ? -at.s : at.s);
-        if (ahead >= 0.0) {
-            return {to_left > 0.0 ? CarPart::front_left_corner : CarPart::front_right_corner, sides[wall]};
-        }
-        return {to_left > 0.0 ? CarPart::rear_left_corner : CarPart::rear_right_corner, sides[wall]};
+        const CarPart corner = ahead >= 0.0 ? (to_left > 0.0 ? CarPart::front_left_corner : CarPart::front_right_corner)
+                                            : (to_left > 0.0 ? CarPart::rear_left_corner : CarPart::rear_right_corner);
+        return {corner, sides[wall], static_cast<std::size_t>(corner)};
     }
 
     [[nodiscard]] bool is_parked(const State& at) const {
@@ -358,7 +358,7 @@ MaxSteerRun stepping(const Car& car, const Slot& slot, double heading, const Ste
         pose = {at.x, at.y, pose.heading - static_cast<double>(driven.steps) * algorithm.turn()};
         move.end = detail::to_world(slot, options.driving.enter, pose);
         if (driven.end == MoveEnd::contact || (driven.end == MoveEnd::parked && steps.stop == StopRule::contact)) {
-            move.contact = detail::to_world(slot, options.driving.enter, algorithm.contact(at, direction));
+            move.contact = detail::to_world(car, slot, options.driving.enter, algorithm.contact(at, direction));
         }
         run.maneuver.moves.push_back(move);
         if (driven.end != MoveEnd::contact) {

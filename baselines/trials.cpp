@@ -94,7 +94,7 @@ Maneuver to_world(const Car& car, const Slot& slot, Enter enter, std::vector<Mov
         move.steering_angle = slot.mirrored(move.steering_angle);
         move.start = detail::to_world(slot, enter, move.start);
         move.end = detail::to_world(slot, enter, move.end);
-        if (move.contact) move.contact = detail::to_world(slot, enter, *move.contact);
+        if (move.contact) move.contact = detail::to_world(car, slot, enter, *move.contact);
     }
     return {car, std::move(moves)};
 }

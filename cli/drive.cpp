@@ -52,8 +52,8 @@ struct Asked {
                                              "[m, m] (0,0); they shrink as the car comes near.",
                                              point)),
           margin(options.group("Plan").number("--margin", "M",
-                                              "How much the car is grown for planning [m]; default:\nthe least that "
-                                              "parks often enough.",
+                                              "How much the car is grown for planning [m]; default:\nof those that "
+                                              "park often enough the one with the\nfewest changes.",
                                               {" m", 0.0, 10.0})),
           rate(options.number("--rate", "P", "Share of the runs that must park (0.999).", {"", 0.0, 1.0})),
           spacing(options.number("--resolution", "M", "Spacing of the map the car plans on [m] (0.08).",
@@ -151,7 +151,10 @@ std::string drive_text(const ParkQuestion& question, const DriveOptions& options
     const DriveTotals all = answer.totals();
     const double planned = answer.planned ? answer.planned_trajectory(options.limits).seconds() : 0.0;
     Rows rows = {
-        {"margin", metres(answer.margin) + (options.margin ? "" : ", the least that was found to do")},
+        {"margin",
+         metres(answer.margin) + (options.margin            ? ""
+                                  : enough(options, answer) ? ", of those that do the one with the fewest changes"
+                                                            : ", the one that fails least")},
         {"planned", changes(answer.planned_changes) + ", " + fixed(planned, 0) + " s"},
         {"driven", fixed(all.mean_changes, 2) + " direction changes on average, at most " +
                        std::to_string(all.most_changes) + ","},

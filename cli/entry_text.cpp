@@ -81,10 +81,11 @@ std::string refusal(const EntryQuestion& question) {
     return name(question.car) + " cannot park in " + slot_words(question.slot) + ":\n" + why + ".\n";
 }
 
-/// How far the start may be off, rounded down.
+/// How far the start may be off, rounded down to two digits or to millimetres.
 std::string off_by(double distance) {
-    const int digits = distance < 0.01 ? 4 : 3;
-    const double units = digits == 4 ? 1e4 : 1e3;
+    int digits = 3;
+    double units = 1e3;
+    for (double least = 0.01; distance < least && digits < 9; least /= 10.0, units *= 10.0) ++digits;
     return fixed(std::floor(distance * units) / units, digits);
 }
 

@@ -1,8 +1,8 @@
 #include "cli/way_out.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <functional>
 
 #include "cli/interrupt.hpp"
@@ -18,7 +18,17 @@
 namespace snug::cli {
 namespace {
 
-constexpr double patience = 2.0;  // for each of the answers [s]: a lattice so coarse takes some hundredths of it
+/// For each of the answers: a lattice so coarse takes some hundredths of it. It is the processor's time that counts, so that the
+/// answers of a busy machine are the same.
+class Patience {
+public:
+    explicit Patience(double times = 1.0)
+        : end_(std::clock() + static_cast<std::clock_t>(times * 2.0 * CLOCKS_PER_SEC)) {}
+    [[nodiscard]] bool left() const { return std::clock() < end_; }
+
+private:
+    std::clock_t end_;
+};
 
 /// Coarse enough to be quick: the spacing decides where the search ends, and hardly ever the clock.
 double coarse(const Car& car) { return std::max(limits::finest, car.length() / 500.0); }
@@ -65,10 +75,7 @@ std::optional<double> enlarged(const EntryQuestion& question, Strategy strategy,
     options.curb = slot.curb();
     options.resolution = coarser * coarse(question.car);
     options.precision = coarser * 0.01;
-    const auto begin = std::chrono::steady_clock::now();
-    options.progress = [begin](double) {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < patience;
-    };
+    options.progress = [patience = Patience()](double) { return patience.left(); };
     if (strategy == Strategy::fewest && !length && std::isfinite(options.parked.curb)) return std::nullopt;
     const MinSlot found = min_slot(question.car, length ? slot.width() : slot.length(), options);
     if (!found.size(sought)) return std::nullopt;
@@ -194,7 +201,7 @@ template <class Options, class Solve>
 void add_more_changes(Rows& rows, Options options, const Solve& solve) {
     if (options.max_changes >= limits::usual_changes) return;
     options.max_changes = limits::usual_changes;
-    options.time_limit = 2.0 * patience;
+    options.progress = [patience = Patience(2.0)](const auto&) { return interruption() == 0 && patience.left(); };
     if (const auto count = solve(options).direction_changes)
         rows.push_back({"more changes", changes(*count), "--max-changes " + std::to_string(*count)});
 }
@@ -227,9 +234,11 @@ std::string way_out_text(const ParkQuestion& question) {
     const auto solve = [&](const ParkOptions& asked) { return park(question.car, question.scene.place, start, asked); };
     add_more_changes(rows, options, solve);
     options.resolution = std::max(options.resolution, question.car.length() / 200.0);
-    options.time_limit = patience;
     // A place in which the car would collide at the start is one that will not do.
-    const auto parks = [&](const Place& place, const ParkOptions& asked) {
+    const auto parks = [&](const Place& place, ParkOptions asked) {
+        asked.progress = [patience = Patience()](const ParkProgress&) {
+            return interruption() == 0 && patience.left();
+        };
         try {
             return park(question.car, place, start, asked).parkable();
         } catch (const Error&) {
@@ -254,8 +263,12 @@ std::string way_out_text(const ParkQuestion& question) {
                     *larger.road += by;
                     return in(larger);
                 }));
-        add(rows, "a longer slot", "--length", street.length, enlarged(&Street::length));
-        add(rows, "a wider slot", "--width", street.width, enlarged(&Street::width));
+        // In a slot too small one way, more room the other way would only let the car stand askew.
+        const double room = 2.0 * options.clearance;
+        if (street.width >= question.car.width() + room)
+            add(rows, "a longer slot", "--length", street.length, enlarged(&Street::length));
+        if (street.length >= question.car.length() + room)
+            add(rows, "a wider slot", "--width", street.width, enlarged(&Street::width));
     }
     add_less_clearance(rows, options.clearance, [&](double clearance) {
         ParkOptions nearer = options;
@@ -271,7 +284,8 @@ std::string way_out_text(const EntryQuestion& question, const Pose& parked, cons
     options.roomiest = false;
     options.resolution = std::max(options.resolution, coarse(question.car));
     options.progress = nullptr;
-    const auto leaves = [&](const Slot& slot, const FewestOptions& limited) {
+    const auto leaves = [&](const Slot& slot, FewestOptions limited) {
+        limited.progress = [patience = Patience()](const FewestProgress&) { return patience.left(); };
         try {
             return leave(question.car, slot, parked, limited).parkable();
         } catch (const Error&) {
@@ -281,7 +295,6 @@ std::string way_out_text(const EntryQuestion& question, const Pose& parked, cons
     Rows rows;
     add_more_changes(rows, options,
                      [&](const FewestOptions& more) { return leave(question.car, question.slot, parked, more); });
-    options.time_limit = patience;
     add(rows, "a longer slot", "--length", question.slot.length(),
         least_more(much_slot, [&](double by) { return leaves(resized(question.slot, by, 0.0), options); }));
     add_less_clearance(rows, options.driving.clearance, [&](double clearance) {
@@ -306,24 +319,30 @@ std::string other_maneuvers(const MinSlotQuestion& question, const std::vector<M
     options.resolution = coarse(question.car);
     options.precision = 0.01;
     if (sought == Sought::width && std::isfinite(options.parked.curb)) return "";
-    const auto begin = std::chrono::steady_clock::now();
-    options.progress = [begin](double) {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < 2.0 * patience;
-    };
+    options.progress = [patience = Patience(2.0)](double) { return patience.left(); };
     std::vector<MinSlot> others;
-    for (std::size_t i = 0; i < rows.size() && others.size() < most_rows; ++i) {
-        if (rows[i].max_changes > limits::most_changes_fewest) continue;
-        options.max_changes = rows[i].max_changes;
+    std::size_t left_out = 0;
+    for (const MinSlot& row : rows) {
+        if (row.max_changes > limits::most_changes_fewest) continue;
+        if (others.size() == most_rows) {
+            ++left_out;
+            continue;
+        }
+        options.max_changes = row.max_changes;
         try {
-            const MinSlot found = min_slot(
-                question.car, *rows[i].size(sought == Sought::length ? Sought::width : Sought::length), options);
+            const MinSlot found =
+                min_slot(question.car, *row.size(sought == Sought::length ? Sought::width : Sought::length), options);
             if (found.size(sought)) others.push_back(found);
         } catch (const Error&) {  // beyond what a lattice holds
         }
     }
     if (others.empty()) return "";
-    return "\nOther maneuvers park where full steering cannot (--strategy fewest):\n\n" +
-           fewest_slot_table(sought, others);
+    std::string text = "\nOther maneuvers park where full steering cannot (--strategy fewest):\n\n" +
+                       fewest_slot_table(sought, others);
+    if (left_out > 0)
+        text += "\n" + std::to_string(left_out) + (left_out == 1 ? " more row was" : " more rows were") +
+                " not tried: --strategy fewest answers all.\n";
+    return text;
 }
 
 }  // namespace snug::cli

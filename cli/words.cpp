@@ -36,8 +36,11 @@ std::string metres(double length) { return fixed(length, 3) + " m"; }
 
 std::string driven(const Maneuver& maneuver) {
     const MotionLimits usual;
-    return metres(maneuver.length()) + " in all, in " + fixed(trajectory(maneuver, usual).seconds(), 0) +
-           " s at up to " + spelled(usual.speed) + " m/s";
+    const Trajectory timed = trajectory(maneuver, usual);
+    const int turns = timed.standing_steers;
+    return metres(maneuver.length()) + " in all, in " + fixed(timed.seconds(), 0) + " s at up to " +
+           spelled(usual.speed) + " m/s" +
+           (turns == 0 ? "" : "; stands to steer " + (turns == 1 ? "once" : std::to_string(turns) + " times"));
 }
 
 }  // namespace snug::cli

@@ -28,7 +28,7 @@ std::string steering(const Car& car, double angle);
 /// "1.250 m"
 std::string metres(double length);
 
-/// "9.300 m in all, in 31 s at up to 1 m/s": the way and the time, with the usual limits of motion.
+/// "9.300 m in all, in 31 s at up to 1 m/s; stands to steer 5 times": the way and the time, with the usual limits of motion.
 std::string driven(const Maneuver& maneuver);
 
 }  // namespace snug::cli

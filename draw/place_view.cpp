@@ -112,21 +112,23 @@ std::vector<std::string> ends_of(const std::vector<Leg>& legs, const Picture& pi
     return ends;
 }
 
-std::string drawn(const Picture& picture, PictureFormat format, const PictureOptions& options) {
+/// The answer in one line.
+std::string said(const ParkAnswer& answer, const Unit& unit) {
+    if (!answer.maneuver)
+        return answer.impossible ? "cannot park, proved for any number of direction changes" : "no maneuver found";
+    return changes_label(*answer.direction_changes) +
+           (answer.proved ? ", proved the fewest" : ", at least " + std::to_string(answer.lower_bound)) + "; " +
+           path_label(answer.maneuver->length(), unit) + " driven";
+}
+
+std::string drawn(const Picture& picture, const std::string& answer, PictureFormat format,
+                  const PictureOptions& options) {
     const Unit unit = unit_for(picture.car.length());
     const std::optional<Maneuver>& way = picture.answer.maneuver;
     const std::vector<Leg> legs = way ? legs_of(*way) : std::vector<Leg>{};
     const Stage stage = {picture.car, picture.frame, legs, options};
     const View view = view_of(picture);
     const Box page = view.page();
-    std::string answer = "no maneuver found";
-    if (picture.answer.impossible) answer = "cannot park, proved for any number of direction changes";
-    if (way) {
-        answer = changes_label(*picture.answer.direction_changes) +
-                 (picture.answer.proved ? ", proved the fewest"
-                                        : ", at least " + std::to_string(picture.answer.lower_bound)) +
-                 "; " + path_label(way->length(), unit) + " driven";
-    }
     const double table_top = page.y_max + key_height + 14.0;
     const double height = legs.empty() ? page.y_max + margin : table_top + table_height(legs.size()) + margin;
     return to_bytes(
@@ -148,14 +150,32 @@ std::string drawn(const Picture& picture, PictureFormat format, const PictureOpt
 std::string draw_park(const Car& car, const Street& street, const Pose& start, const ParkAnswer& answer,
                       PictureFormat format, const PictureOptions& options) {
     using namespace drawing;
-    return drawn({car, street_place(street), start, answer, frame_of(street), facts_of(street, unit_for(car.length()))},
-                 format, options);
+    const Unit unit = unit_for(car.length());
+    return drawn({car, street_place(street), start, answer, frame_of(street), facts_of(street, unit)},
+                 said(answer, unit), format, options);
 }
 
 std::string draw_park(const Car& car, const Scene& scene, const ParkAnswer& answer, PictureFormat format,
                       const PictureOptions& options) {
-    return drawing::drawn({car, scene.place, scene.start, answer, drawing::frame_of(scene), drawing::facts_of(scene)},
-                          format, options);
+    using namespace drawing;
+    return drawn({car, scene.place, scene.start, answer, frame_of(scene), facts_of(scene)},
+                 said(answer, unit_for(car.length())), format, options);
+}
+
+std::string draw_maneuver(const Maneuver& maneuver, PictureFormat format) {
+    using namespace drawing;
+    const Box box = swept(maneuver);
+    const Scene scene = {
+        Place({{},
+               ParkedAt{maneuver.goal()},
+               {{box.x_min, box.y_min}, {box.x_max, box.y_min}, {box.x_max, box.y_max}, {box.x_min, box.y_max}}}),
+        maneuver.entry()};
+    ParkAnswer answer;
+    answer.maneuver = maneuver;
+    const std::string driven = changes_label(maneuver.direction_changes()) + "; " +
+                               path_label(maneuver.length(), unit_for(maneuver.car.length())) + " driven";
+    return drawn({maneuver.car, scene.place, scene.start, answer, frame_of(scene), "the maneuver alone"}, driven,
+                 format, {});
 }
 
 }  // namespace snug

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "drive/run.hpp"
 #include "sentences/check.hpp"
@@ -65,11 +66,15 @@ std::optional<Assistant> assistant_with(const Car& car, const Place& place, cons
     return std::nullopt;
 }
 
-/// The runs with one margin, as many as it takes to say something of it.
+/// The runs with one margin, as many as it takes to say something of it. A margin that is looked for is chosen by other runs than
+/// those that are told, which come after them: of many the one that does best has had luck, too.
 class Tried {
 public:
     Tried(Assistant assistant, const Street* street, const Pose& start, const DriveOptions& options)
-        : assistant_(std::move(assistant)), start_(start), options_(options) {
+        : assistant_(std::move(assistant)),
+          start_(start),
+          options_(options),
+          choosing_(options.margin ? 0 : static_cast<std::size_t>(options.runs)) {
         answer_.plannable = true;
         answer_.margin = assistant_.map().clearance();
         answer_.planned = assistant_.plan(start);
@@ -86,9 +91,15 @@ public:
     }
 
     [[nodiscard]] const DriveAnswer& answer() const { return answer_; }
-    [[nodiscard]] DriveAnswer taken() { return std::move(answer_); }
+    [[nodiscard]] std::size_t driven() const { return answer_.runs.size(); }
+    [[nodiscard]] DriveAnswer taken() {
+        if (answer_.runs.size() > choosing_)
+            answer_.runs.erase(answer_.runs.begin(), answer_.runs.begin() + static_cast<std::ptrdiff_t>(choosing_));
+        return std::move(answer_);
+    }
 
-    /// Drives until there are so many runs; those done stay. Each is what its number makes it.
+    /// Drives until there are so many runs, and all that are told; those done stay. Each is what its number makes it.
+    void drive_all() { drive(static_cast<int>(choosing_) + options_.runs); }
     void drive(int runs) {
         const std::size_t first = answer_.runs.size(), count = static_cast<std::size_t>(runs) - first;
         answer_.runs.resize(first + count);
@@ -97,12 +108,14 @@ public:
         if (options_.progress)
             sweep.progress = [&](double part) {
                 const double done = static_cast<double>(first) + part * static_cast<double>(count);
-                return options_.progress(answer_.margin, static_cast<int>(std::lround(done)));
+                const double all = options_.runs;
+                return options_.progress(answer_.margin, static_cast<int>(std::lround(done > all ? done - all : done)));
             };
         Progress progress(sweep, count);
         std::vector<char> done(count, 0);
         on_all_cores(count, sweep, progress, [&](std::size_t i) {
-            answer_.runs[first + i] = drive_run(assistant_, slots_ ? &*slots_ : nullptr, start_, options_, first + i,
+            const std::size_t number = choosing_ == 0 ? first + i : (first + i + choosing_) % (2 * choosing_);
+            answer_.runs[first + i] = drive_run(assistant_, slots_ ? &*slots_ : nullptr, start_, options_, number,
                                                 answer_.rolling ? &*answer_.rolling : nullptr);
             done[i] = 1;
             (void)progress.finished(1);
@@ -115,15 +128,16 @@ public:
         answer_.runs.resize(kept);
     }
 
-    /// Whether all of the runs asked for have enough that park. Few are driven at first, and no more once too many have failed:
-    /// what the others do would change nothing.
-    [[nodiscard]] bool does(int most) {
-        if (most > static_cast<int>(answer_.runs.size()) && !answer_.cancelled && !has_failed()) drive(most);
-        return most == options_.runs && !answer_.cancelled && !has_failed();
-    }
+    /// Too many of those it is chosen by, or of those that are told.
     [[nodiscard]] bool has_failed() const {
         const double may_fail = (1.0 - options_.rate) * options_.runs + 1e-9;
-        return static_cast<double>(answer_.runs.size()) - answer_.parked() > may_fail;
+        int failed = 0;
+        for (std::size_t i = 0; i < answer_.runs.size(); ++i) {
+            if (i == choosing_) failed = 0;
+            failed += answer_.runs[i].parked ? 0 : 1;
+            if (failed > may_fail) return true;
+        }
+        return false;
     }
     /// On average over the first of its runs.
     [[nodiscard]] double mean_changes(std::size_t of) const {
@@ -139,6 +153,7 @@ private:
     Assistant assistant_;
     const Pose start_;
     const DriveOptions& options_;
+    const std::size_t choosing_;  ///< so many of its runs are for, the first
     std::optional<Slots> slots_;
     DriveAnswer answer_;
 };
@@ -166,37 +181,40 @@ DriveAnswer drive_all(const Car& car, const Place& place, const Street* street, 
     if (options.margin) {
         const std::unique_ptr<Tried> tried = trying(*options.margin);
         if (tried) {
-            tried->drive(options.runs);
+            tried->drive_all();
             return tried->taken();
         }
         DriveAnswer none;
         none.margin = *options.margin;
         return none;
     }
-    std::unique_ptr<Tried> best;
-    bool done = false;
+    std::vector<std::unique_ptr<Tried>> found;  // those that do, each with fewer changes than the one before
+    std::unique_ptr<Tried> failed;              // least
     for (const double margin : margins) {
         std::unique_ptr<Tried> tried = trying(margin);
         if (!tried) continue;
-        bool does = false;
-        // The least that does, or a larger one while that takes fewer changes: over its first runs, and over all.
-        bool worth_it = true;
+        // Few runs are driven at first, and no more of one that has failed or takes more changes.
+        bool better = true;
         for (const int runs : {runs_at_first, runs_then, options.runs}) {
-            does = tried->does(std::min(runs, options.runs));
-            if (tried->answer().cancelled || tried->has_failed()) break;
-            const std::size_t count = tried->answer().runs.size();
-            worth_it = !done || tried->mean_changes(count) < best->mean_changes(count);
-            if (!worth_it) break;
+            tried->drive(std::min(runs, options.runs));
+            if (tried->answer().cancelled) return found.empty() ? tried->taken() : found.back()->taken();
+            better = !tried->has_failed() && (found.empty() || tried->mean_changes(tried->driven()) <
+                                                                   found.back()->mean_changes(tried->driven()));
+            if (!better) break;
         }
-        if (tried->answer().cancelled) return done ? best->taken() : tried->taken();
-        if (done && !(does && worth_it)) break;
-        if (does || !best || tried->share() > best->share()) best = std::move(tried);
-        done = does;
+        if (better)
+            found.push_back(std::move(tried));
+        else if (found.empty() && (!failed || tried->share() > failed->share()))
+            failed = std::move(tried);
     }
-    if (!best) return {};
-    // None does: all runs of the one that failed least.
-    if (static_cast<int>(best->answer().runs.size()) < options.runs) best->drive(options.runs);
-    return best->taken();
+    for (; !found.empty(); found.pop_back()) {
+        found.back()->drive_all();
+        if (!found.back()->has_failed()) return found.back()->taken();
+        failed = std::move(found.back());
+    }
+    if (!failed) return {};
+    failed->drive_all();
+    return failed->taken();
 }
 
 }  // namespace

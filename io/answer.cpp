@@ -76,9 +76,11 @@ Json as_json(const Maneuver& maneuver) {
         Json& one = moves.emplace_back(as_json(move));
         if (move.contact && !maneuver.car.is_rectangle()) one["contact"]["index"] = move.contact->part_index;
     }
+    const Trajectory timed = trajectory(maneuver);
     return {{"direction_changes", maneuver.direction_changes()},
             {"length", maneuver.length()},
-            {"seconds", trajectory(maneuver).seconds()},
+            {"seconds", timed.seconds()},
+            {"standing_steers", timed.standing_steers},
             {"swept", as_json(swept(maneuver))},
             {"entry", as_json(maneuver.entry())},
             {"goal", as_json(maneuver.goal())},

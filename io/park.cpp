@@ -36,9 +36,11 @@ Json driven(const Maneuver& maneuver, const Pose& start, const std::vector<ParkS
         moves.push_back(std::move(move));
     }
     const bool stays = maneuver.moves.empty();
+    const Trajectory timed = trajectory(maneuver);
     return {{"direction_changes", stays ? 0 : maneuver.direction_changes()},
             {"length", maneuver.length()},
-            {"seconds", trajectory(maneuver).seconds()},
+            {"seconds", timed.seconds()},
+            {"standing_steers", timed.standing_steers},
             {"start", as_json(start)},
             {"goal", as_json(stays ? start : maneuver.goal())},
             {"moves", std::move(moves)}};

@@ -125,7 +125,13 @@ Assistant::Assistant(const Car& car, const Place& place, ParkMap map, const Assi
     for (const Place::Piece& piece : place_.pieces()) {
         const double keeps = piece.low ? 0.0 : place_.obstacles()[piece.obstacle].clearance.value_or(0.0);
         const Outline shape = piece.low ? car_.wheels() : car_.outline().grown(keeps);
-        around_.push_back({shape.corners(), piece.corners, piece.obstacle});
+        Around around = {shape.corners(), piece.corners, piece.obstacle, piece.corners[0], piece.corners[0]};
+        for (const Point& p : around.solid) {
+            around.low = {std::min(around.low.x, p.x), std::min(around.low.y, p.y)};
+            around.high = {std::max(around.high.x, p.x), std::max(around.high.y, p.y)};
+        }
+        for (const Point& p : around.shape) around.reach = std::max(around.reach, std::hypot(p.x, p.y));
+        around_.push_back(std::move(around));
     }
 }
 
@@ -146,7 +152,13 @@ void Assistant::gaps_at(const Pose& pose, std::vector<double>& gaps) const {
 
 double Assistant::nearest(const Pose& pose) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const Around& around : around_) least = std::min(least, gap(around, pose));
+    for (const Around& around : around_) {
+        const double apart =
+            std::max({around.low.x - pose.x, pose.x - around.high.x, around.low.y - pose.y, pose.y - around.high.y}) -
+            around.reach;
+        if (apart > 0.0 && apart >= least) continue;  // none of it is nearer
+        least = std::min(least, gap(around, pose));
+    }
     return least;
 }
 

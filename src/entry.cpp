@@ -99,11 +99,12 @@ struct Search {
         bool all = fewest() && (options.max_changes || options.min_range > 0.0);
         const int guess = fewest().value_or(-1);
         std::erase_if(found, [&](const CountedHeadings& range) { return range.changes > asked; });
-        ProvedRanges proved = prove_ranges(problem, asked, all ? Find::all : Find::fewest, hints_from(found, guess), {},
-                                           most_proof_moves);
+        ProvedRanges proved = prove_ranges(problem, asked, all ? Find::all : Find::fewest,
+                                           hints_from(work.possible, found, guess), {}, most_proof_moves);
         if (options.max_changes && !all && !proved.ranges.empty()) {  // the search had found none
             all = true;
-            proved = prove_ranges(problem, asked, Find::all, hints_from(proved.ranges, -1), {}, most_proof_moves);
+            proved = prove_ranges(problem, asked, Find::all, hints_from(work.possible, proved.ranges, -1), {},
+                                  most_proof_moves);
         }
         // A smaller count than was found: no other is asked about.
         const bool smaller = !all && !proved.ranges.empty() && (guess < 0 || proved.ranges.front().changes < guess);

@@ -35,6 +35,18 @@ std::string json_of_fields(const py::object& self, const py::tuple& fields) {
     return write(json);
 }
 
+std::string table_of_fields(const py::object& self, const py::tuple& fields) {
+    const py::object escape = py::module_::import("html").attr("escape");
+    std::string table = "<table>";
+    for (const py::handle name : fields)
+        table.append("<tr><th>")
+            .append(py::str(name))
+            .append("</th><td>")
+            .append(py::str(escape(py::str(self.attr(name)))))
+            .append("</td></tr>");
+    return table + "</table>";
+}
+
 py::object read_json(const std::string& text) { return py::module_::import("json").attr("loads")(text); }
 
 std::string spelled_value(const py::object& self, const py::tuple& fields, const Signature* constructor) {
@@ -164,6 +176,11 @@ std::string json_text(const AskedPark& answer) {
     Scene scene = std::get<Scene>(*answer.place);
     scene.start = answer.start;
     return write(park_as_json(*answer.car, scene, options, answer));
+}
+
+std::optional<std::string> picture(const Maneuver& maneuver) {
+    if (maneuver.moves.empty()) return std::nullopt;
+    return draw_maneuver(maneuver, PictureFormat::svg);
 }
 
 std::optional<std::string> picture(const AskedAnswer& answer) {

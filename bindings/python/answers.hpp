@@ -108,6 +108,7 @@ std::string json_text(const AskedMinStreet& street);
 std::string json_text(const AskedPark& answer);
 
 // The solver's own pictures as SVG; empty where there is nothing to see.
+std::optional<std::string> picture(const Maneuver& maneuver);  ///< alone
 std::optional<std::string> picture(const AskedAnswer& answer);
 std::optional<std::string> picture(const AskedMinSlot& slot);      ///< the car parking in it
 std::optional<std::string> picture(const AskedMinStreet& street);  ///< likewise

@@ -185,6 +185,7 @@ void define_rolling(py::module_& module) {
                    counted(static_cast<int>(m.pieces.size()), "piece") + ", " +
                    counted(m.direction_changes(), "direction change") + ", " + few_digits(m.length()) + " m";
         })
+        .picture([](const RollingManeuver& m) { return picture(m.in_arcs(0.05)); })
         .finish();
     define_method(type, "in_arcs(self, most: float = 0.05) -> Maneuver",
                   "Nearly the same as a Maneuver, in arcs at most so long [m], for pictures and waypoints.",
@@ -363,7 +364,8 @@ void define_runs(py::module_& module) {
         "`sensing` are standard deviations of every measured pose and `bias` is added to them [m, m, rad]; "
         "`actuation`\nis of where a move ends and of its steering [m, rad]; the wheels are `lag` behind [s]; "
         "`slot_error` is of the\nplace and of the size of a Street's slot as they seem from the start [m]. The car "
-        "is grown by `margin` [m], or by\nthe least with which `rate` of the runs park. A `blind` car drives its "
+        "is grown by `margin` [m]; without,\nof those with which `rate` of the runs park by the one with the fewest "
+        "changes. A `blind` car drives its "
         "first plan without looking again.\nWith steer='moving' it stands to steer only where no way is found without: "
         "standing_steers of each run.\n`progress` is told the part done of the runs with the margin now tried; "
         "returning False ends with those done.\n",

@@ -277,6 +277,7 @@ void define_map(py::module_& module) {
                "How that begins, 'backward' or 'forward'; None where the car is parked already.")
         .property(
             "proved", [](const MapBounds& b) { return b.proved(); }, "Both bounds meet.")
+        .table()
         .finish();
 
     const Signature signature(

@@ -156,6 +156,7 @@ void define_baselines(py::module_& module) {
                                 "not get out.")
         .field("deduced", &ReversedTrialsByGoal::deduced, "From the goal the paper deduces.")
         .field("found", &ReversedTrialsByGoal::found, "From the goal of the best maneuver.")
+        .table()
         .finish();
     define(module, "reversed_trials_by_goal(car: Car, slot: Slot, max_changes: int = 200) -> ReversedTrialsByGoal",
            "What the paper's choice of a goal costs in one slot (its section 4.1).", [](const Arguments& given) {
@@ -311,6 +312,7 @@ void define_entry(py::module_& module) {
     Value<Shortfall>(module, "Shortfall", "How much a slot lacks to hold the car at all. [m]")
         .field("length", &Shortfall::length, "[m], 0 if nothing")
         .field("width", &Shortfall::width, "[m], 0 if nothing")
+        .table()
         .finish();
     define(module, "shortfall(car: Car, slot: Slot, " + driving_parameters + ") -> Shortfall",
            "How much the slot lacks to hold the car at all, with the clearance it keeps from front, rear and curb.",
@@ -487,6 +489,7 @@ void define_contact(py::module_& module) {
         .field(
             "inside", &FirstContact::inside,
             "The first Stretch of the move, up to the contact, over which the whole frame is inside the slot, or None.")
+        .table()
         .finish();
     define(
         module,

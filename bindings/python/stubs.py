@@ -34,6 +34,7 @@ PROTOCOL = {
     "__len__": "(self) -> int",
     "__reduce__": "(self) -> tuple[Any, ...]",
     "__setstate__": "(self, state: tuple[Any, ...], /) -> None",
+    "_repr_html_": "(self) -> str",
     "_repr_svg_": "(self) -> str | None",
 }
 

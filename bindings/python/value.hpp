@@ -64,6 +64,8 @@ std::string type_name() {
 std::string spelled_value(const py::object& self, const py::tuple& fields, const Signature* constructor);
 /// An object with a key for every field.
 std::string json_of_fields(const py::object& self, const py::tuple& fields);
+/// A row for every field, as HTML.
+std::string table_of_fields(const py::object& self, const py::tuple& fields);
 py::object read_json(const std::string& text);
 
 /// A class of immutable values: equal, hashed, printed, converted and pickled by their fields.
@@ -111,6 +113,14 @@ public:
     template <class Draw>
     Value& picture(Draw draw) {
         this->def("_repr_svg_", draw, "How a notebook shows it.");
+        return *this;
+    }
+    /// The same for what has nothing to draw: its fields as a table.
+    Value& table() {
+        this->def(
+            "_repr_html_",
+            [fields = py::tuple(fields_)](const py::object& self) { return table_of_fields(self, fields); },
+            "How a notebook shows it.");
         return *this;
     }
     /// In a few words, where the fields say too much.

@@ -81,6 +81,12 @@ void define_geometry(py::module_& module) {
         .finish();
 }
 
+py::tuple corners_of(const Outline& outline) {
+    py::list corners;
+    for (const Point& corner : outline.corners()) corners.append(py::make_tuple(corner.x, corner.y));
+    return py::tuple(corners);
+}
+
 /// What an outline says already may be said once more, as repr() does.
 void check_extent(const char* name, const std::optional<double>& given, double of_outline) {
     if (given && *given != of_outline)
@@ -179,12 +185,14 @@ void define_car(py::module_& module) {
             "outline",
             [](const Car& c) -> py::object {
                 if (c.is_rectangle()) return py::none();
-                py::list corners;
-                for (const Point& corner : c.outline().corners()) corners.append(py::make_tuple(corner.x, corner.y));
-                return py::tuple(corners);
+                return corners_of(c.outline());
             },
             "Corners (x, y) about the middle of the rear axle, counter-clockwise [m]; None for a rectangle.",
             "tuple[tuple[float, float], ...] | None")
+        .property(
+            "wheels", [](const Car& c) -> py::object { return corners_of(c.wheels()); },
+            "Their outer faces (x, y), which a low curb stops: front left, rear left, rear right, front right [m].",
+            "tuple[tuple[float, float], ...]")
         .property("length", &Car::length, "Bumper to bumper, d_f + d_r. [m]")
         .property("turning_radius", &Car::turning_radius,
                   "r = b / tan(phi_max): radius of the rear axle centre's tightest circle. [m]")
@@ -377,6 +385,9 @@ void define_maneuver(py::module_& module) {
             "seconds", [](const Maneuver& m) { return snug::trajectory(m).seconds(); },
             "How long it takes at the usual limits of trajectory(). [s]")
         .property(
+            "standing_steers", [](const Maneuver& m) { return snug::trajectory(m).standing_steers; },
+            "How often the car stands to turn its steering, at the start too.")
+        .property(
             "entry",
             [](const Maneuver& m) -> std::optional<Pose> {
                 if (m.moves.empty()) return std::nullopt;
@@ -399,6 +410,7 @@ void define_maneuver(py::module_& module) {
                    counted(static_cast<int>(m.moves.size()), "move") + ", " +
                    counted(m.direction_changes(), "direction change") + ", " + few_digits(m.length()) + " m";
         })
+        .picture([](const Maneuver& m) { return picture(m); })
         .finish();
     define_method(type, "poses(self, spacing: float) -> NDArray[np.float64]",
                   "Poses along the way, at most `spacing` [m] apart, with both ends of every move: an array of rows\n"

@@ -105,6 +105,8 @@ private:
     struct Around {
         std::vector<Point> shape, solid;
         std::size_t obstacle = 0;
+        Point low, high;     ///< corners of a box around the solid
+        double reach = 0.0;  ///< of the shape's farthest corner from the rear axle
     };
     struct Arc {
         Instruction::What what = Instruction::stuck;

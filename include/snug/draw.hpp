@@ -47,6 +47,8 @@ std::string draw_maneuver(const Car& car, const Slot& slot, const Answer& answer
 /// The same for any maneuver. One without moves shows the car at the parallel entry position.
 std::string draw_maneuver(const Slot& slot, const Maneuver& maneuver, PictureFormat format,
                           const PictureOptions& options = {});
+/// A maneuver alone, without what stands around; x runs to the right and y upward. It must have a move.
+std::string draw_maneuver(const Maneuver& maneuver, PictureFormat format);
 
 /// The paper's first two figures side by side: possible entry positions, and those found with their goal positions;
 /// below them the headings on a scale.

@@ -33,8 +33,8 @@ struct CarErrors {
 
 struct DriveOptions {
     CarErrors errors = {};
-    /// How much the car is grown for planning [m]; empty: the least of a list that parks often enough, or a
-    /// larger one with which it takes fewer changes on average.
+    /// How much the car is grown for planning [m]; empty: of a list, of those that park often enough, the one with the fewest
+    /// changes on average. It is chosen by as many other runs, and then has to do in those of the answer, too.
     std::optional<double> margin = {};
     double rate = 0.999;   ///< the share of runs that must park without contact, where the margin is looked for
     double spacing = 0.0;  ///< of the map [m]; 0: its usual one

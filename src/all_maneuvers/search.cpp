@@ -316,7 +316,7 @@ Answer answer_of(const LeavingQuestion& question, LeavingBounds bounds, const Ca
         move.steering_angle = slot.mirrored(move.steering_angle);
         move.start = to_world(slot, enter, move.start);
         move.end = to_world(slot, enter, move.end);
-        if (move.contact) move.contact = to_world(slot, enter, *move.contact);
+        if (move.contact) move.contact = to_world(car, slot, enter, *move.contact);
     }
     answer.maneuver = Maneuver{car, std::move(moves)};
     return answer;

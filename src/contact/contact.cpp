@@ -427,7 +427,7 @@ FirstContact first_contact(const Car& car, const Slot& slot, const Pose& pose, D
     FirstContact result;
     result.distance = met.meeting.distance;
     if (met.meeting.meets != Meets::nothing)
-        result.contact = contact_of(car, slot, view, move.problem, met.meeting.meets, met.meeting.part);
+        result.contact = contact_of(car, slot, view, met.meeting.meets, met.meeting.part);
     result.inside = straight ? inside_straight(move, met.meeting.distance) : inside_turning(move, *turn, met);
     return result;
 }

@@ -1,6 +1,9 @@
 #include "contact/entering.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "sentences/check.hpp"
 #include "snug/limits.hpp"
@@ -84,10 +87,28 @@ Pose to_entering(const Slot& slot, Enter enter, const Pose& pose) {
     return enter == Enter::backward ? in_slot : Pose{-slot.length() - in_slot.x, in_slot.y, -in_slot.heading};
 }
 
-Contact to_world(const Slot& slot, Enter enter, const Contact& contact) {
+std::size_t own_part(const Outline& own, const Slot& slot, Enter enter, bool edge, std::size_t part) {
+    const bool flipped_y = slot.side() == Side::left;
+    const bool flipped_x = enter == Enter::forward;
+    if (!flipped_x && !flipped_y) return part;
+    Outline image = flipped_y ? own.mirrored() : own;
+    if (flipped_x) image = image.turned_about();
+    const Point first = image.corners().front();
+    const Point original = {flipped_x ? -first.x : first.x, flipped_y ? -first.y : first.y};
+    const std::vector<Point>& corners = own.corners();
+    const auto start = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), original) - corners.begin());
+    if (flipped_x && flipped_y) return (start + part) % corners.size();
+    const std::size_t from = edge ? (part + 1) % corners.size() : part;  // seen in a mirror it follows its other corner
+    return (start + corners.size() - from) % corners.size();
+}
+
+Contact to_world(const Car& car, const Slot& slot, Enter enter, const Contact& contact) {
     Contact seen = contact;
     if (enter == Enter::forward) seen = {front_and_rear_swapped(seen.part), other_end(seen.obstacle)};
     if (slot.side() == Side::left) seen.part = mirrored(seen.part);
+    const bool edge = contact.obstacle == Obstacle::front_corner || contact.obstacle == Obstacle::rear_corner;
+    const bool wheels = contact.obstacle == Obstacle::curb && slot.curb() == Curb::low;
+    seen.part_index = own_part(wheels ? car.wheels() : car.outline(), slot, enter, edge, contact.part_index);
     return seen;
 }
 

@@ -4,6 +4,8 @@
 // forward. Left stays left in that mirror, because the car's own direction turns round as well.
 #pragma once
 
+#include <cstddef>
+
 #include "snug/car.hpp"
 #include "snug/driving.hpp"
 #include "snug/maneuver.hpp"
@@ -38,7 +40,10 @@ LeastSlot least_slot(const Car& car, const Slot& slot, const Driving& driving);
 /// From the entering frame to the world and back.
 Pose to_world(const Slot& slot, Enter enter, const Pose& pose);
 Pose to_entering(const Slot& slot, Enter enter, const Pose& pose);
-Contact to_world(const Slot& slot, Enter enter, const Contact& contact);
+Contact to_world(const Car& car, const Slot& slot, Enter enter, const Contact& contact);
+/// Which corner of the car's own outline, or of its wheels, that corner of their image in the entering frame is; of an edge
+/// the one it follows.
+std::size_t own_part(const Outline& own, const Slot& slot, Enter enter, bool edge, std::size_t part);
 /// The obstacle in the place of this one, were the front the rear.
 Obstacle other_end(Obstacle obstacle);
 

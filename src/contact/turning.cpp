@@ -285,35 +285,17 @@ Obstacle obstacle_of(Meets meets) {
 
 }  // namespace
 
-Contact contact_of(const Car& car, const Slot& slot, Enter enter, const Problem& problem, Meets meets, int part) {
+Contact contact_of(const Car& car, const Slot& slot, Enter enter, Meets meets, int part) {
     const bool edge = meets == Meets::front_corner || meets == Meets::rear_corner;
     const bool wheels = meets == Meets::curb && slot.curb() == Curb::low;
     const Outline& own = wheels ? car.wheels() : car.outline();
-    const bool flipped_y = slot.side() == Side::left;
-    const bool flipped_x = enter == Enter::forward;
-    // The corner as the car's own outline counts it; an edge seen in a mirror follows its other corner.
-    const std::vector<Point>& seen = (wheels ? problem.at_curb : problem.body).corners();
-    std::size_t index = static_cast<std::size_t>(part);
-    if (flipped_x != flipped_y) {
-        const Outline image = flipped_y ? own.mirrored() : own.turned_about();
-        const std::size_t from = edge ? (index + 1) % seen.size() : index;
-        const Point first = image.corners().front();
-        const Point original = {flipped_x ? -first.x : first.x, flipped_y ? -first.y : first.y};
-        const auto start = std::find(own.corners().begin(), own.corners().end(), original) - own.corners().begin();
-        index = (static_cast<std::size_t>(start) + seen.size() - from) % seen.size();
-    } else if (flipped_x) {
-        const Outline image = own.mirrored().turned_about();
-        const Point first = image.corners().front();
-        const auto start =
-            std::find(own.corners().begin(), own.corners().end(), Point{-first.x, -first.y}) - own.corners().begin();
-        index = (static_cast<std::size_t>(start) + index) % seen.size();
-    }
+    const std::size_t index = own_part(own, slot, enter, edge, static_cast<std::size_t>(part));
     const Point& corner = own.corners()[index];
     CarPart name =
         edge ? edge_at(own, corner, own.corners()[(index + 1) % own.corners().size()]) : corner_at(own, corner);
     if (wheels) name = wheel(name);
     Obstacle obstacle = obstacle_of(meets);
-    if (flipped_x) obstacle = other_end(obstacle);
+    if (enter == Enter::forward) obstacle = other_end(obstacle);
     return {name, obstacle, index};
 }
 

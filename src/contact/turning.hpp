@@ -193,6 +193,6 @@ CarPart edge_at(const Outline& outline, const Point& from, const Point& to);
 /// The wheel in that quarter of the car.
 CarPart wheel(CarPart corner);
 /// What is met is called so in the world.
-Contact contact_of(const Car& car, const Slot& slot, Enter enter, const Problem& problem, Meets meets, int part);
+Contact contact_of(const Car& car, const Slot& slot, Enter enter, Meets meets, int part);
 
 }  // namespace snug::detail

@@ -138,7 +138,8 @@ public:
           progress_(progress) {}
 
     std::vector<CountedHeadings> run() {
-        for (const Headings& headings : possible_headings(steering_.problem, steering_.entry)) search(headings);
+        possible_ = possible_headings(steering_.problem, steering_.entry);
+        for (const Headings& headings : possible_) search(headings);
         if (given_up_) return {};
         std::vector<CountedHeadings> ranges = constant_ranges();
         if (find_ == Find::fewest)
@@ -146,7 +147,9 @@ public:
         return ranges;
     }
 
-    [[nodiscard]] SearchWork work() const { return {runs_.driven, !given_up_ && runs_.driven <= most_moves}; }
+    [[nodiscard]] SearchWork work() const {
+        return {possible_, runs_.driven, !given_up_ && runs_.driven <= most_moves};
+    }
 
 private:
     void search(const Headings& headings) {
@@ -565,10 +568,11 @@ private:
     bool found_ = false;     ///< some heading parks
     bool given_up_ = false;  ///< as the progress callback said
     std::size_t next_report_ = 1'000'000;
-    std::vector<Interval> pieces_;  ///< to be looked at, from the right to the left
-    std::vector<Piece> under_way_;  ///< those that wait for a run
-    std::vector<Run> asked_;        ///< by them, in this round
-    std::vector<Leaf> leaves_;      ///< ends of finished pieces, in rising order
+    std::vector<Headings> possible_;  ///< entry headings
+    std::vector<Interval> pieces_;    ///< to be looked at, from the right to the left
+    std::vector<Piece> under_way_;    ///< those that wait for a run
+    std::vector<Run> asked_;          ///< by them, in this round
+    std::vector<Leaf> leaves_;        ///< ends of finished pieces, in rising order
 };
 
 }  // namespace

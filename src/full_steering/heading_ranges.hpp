@@ -25,6 +25,7 @@ using Progress = std::function<bool(double)>;
 
 /// What a search took, and whether it looked everywhere it should.
 struct SearchWork {
+    std::vector<Headings> possible;  ///< headings at which the car can enter, in rising order
     std::size_t moves = 0;
     bool complete = true;  ///< not given up, and within the bound
 };

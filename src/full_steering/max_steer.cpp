@@ -69,8 +69,7 @@ MaxSteerRun drive(const Car& car, const Slot& slot, const FullSteering& steering
         move.length = std::max(0.0, radius * (pose.heading - turned_to));
         pose = {centre_x + offset * end.sine(), centre_y - offset * end.cosine(), turned_to};
         move.end = told(pose);
-        if (touches)
-            move.contact = contact_of(car, slot, options.driving.enter, steering.problem, full.meets, full.part);
+        if (touches) move.contact = contact_of(car, slot, options.driving.enter, full.meets, full.part);
         run.maneuver.moves.push_back(move);
         if (parked) {
             run.outcome = Outcome::parked;

@@ -38,13 +38,24 @@ std::vector<SheetCar> sheet_cars() {
     // length, the car is the longer of the two, so that what fits here fits there.
     std::vector<SheetCar> cars;
     for (const Sheet& sheet : {
-             Sheet{
-                 "fiat-ducato", 2050, 3450, 948, 1015, 12.5, "A parking program's list, Fiat Ducato MWB Van 2025",
-                 "12.5 m, curb or wall not said",
-                 "github.com/cname87/parallel-park, src/app/services/objects.service.ts\n"
-                 "The list does not name its sheet. Length and wheelbase to the centimetre: GQ Japan, December 2022,\n"
-                 "https://www.gqjapan.jp/cars/article/20221208-fiat-professional-ducato\n"
-                 "The program has the body's front corner on that circle, which would be tighter."},
+             Sheet{"audi-a6", 1874, 2912, 925, 1095, 11.9, "Audi UK, technical data, A6 and S6 Saloon",
+                   "11.9 m, curb or wall not said",
+                   "https://press.audi.co.uk/assets/documents/original/17378-AudiUK00001705AudiA6andS6Saloonand.pdf\n"
+                   "written down in github.com/art20021986-wq/ua-art-autopilot, as the facts of UA-0017\n"
+                   "The generation sold until 2018."},
+             Sheet{"citroen-jumper", 2050, 4035, 948, 1015, 14.14, "Citroen, technical data, Jumper, April 2010",
+                   "14.14 m, curb to curb",
+                   "The sheet of Citroen in France, written down in github.com/billiet-cadart/van,\n"
+                   "docs/dimensions-l3h2.md\n"
+                   "The long van, L3H2 33 and 35. The body is the Fiat Ducato's and the Peugeot Boxer's too, and the "
+                   "same "
+                   "since 2006."},
+             Sheet{"hyundai-elantra", 1801, 2700, 880, 990, 34.8 * foot, "Hyundai Russia, Elantra, technical data",
+                   "34.8 ft, curb or wall not said",
+                   "The page of hyundai.ru as a dealer has it, github.com/ASDAFF/hyundai-oskol, Elantra/index.php\n"
+                   "Length (179.9 in), width (70.9 in) and circle: Lake Tahoe News, August 2016,\n"
+                   "https://laketahoenews.net/2016/08/2017-hyundai-elantra-limited-rocks\n"
+                   "The generation of 2016 to 2020."},
              Sheet{"hyundai-ioniq-5", 1890, 3000, 845, 790, 12.0, "Hyundai Indonesia, e-brochure, Ioniq 5",
                    "12 m, curb or wall not said",
                    "The e-brochure of Hyundai in Indonesia, written down in github.com/judahdski/hyundai-ebrochure,\n"
@@ -84,12 +95,6 @@ std::vector<SheetCar> sheet_cars() {
              Sheet{"kia-ev5", 1875, 2750, 910, 950, 11.7, "Kia Australia, EV5 brochure", "11.7 m, curb to curb",
                    "https://www.kia.com/content/dam/kwcms/au/en/images/pdf/ev5/kia-ev5-brochure.pdf\n"
                    "written down in github.com/FabienD/swept-path, data/vehicles.json"},
-             Sheet{"kia-picanto", 1595, 2400, 675, 520, 2 * 4.8, "A parking program's list, Kia Picanto 2020",
-                   "radius 4.8 m, curb or wall not said",
-                   "github.com/cname87/parallel-park, src/app/services/objects.service.ts\n"
-                   "The list does not name its sheet. Wheelbase: Pistonudos, "
-                   "https://www.pistonudos.com/en/kia-picanto-2017\n"
-                   "The program has the body's front corner on that circle, which would be tighter."},
              Sheet{"lexus-lbx", 1825, 2580, 860, 750, 2 * 5.2, "Lexus UK, LBX Tech Specs, July 2024",
                    "radius 5.2 m, curb to curb",
                    "https://media.lexus.co.uk/wp-content/uploads/sites/3/pdf/240723-LBX-Tech-Specs.pdf\n"
@@ -120,12 +125,12 @@ std::vector<SheetCar> sheet_cars() {
                    "written down in github.com/bokoboss/thai-vehicle-engineering-db,\n"
                    "data/curation/manifests/wave1/mazda_mx5_35ae_rf_at_release_2025_v1.json\n"
                    "The width is without wheel arch mouldings, the length without plate holder."},
-             Sheet{"seat-ibiza", 1780, 2564, 796, 699, 2 * 5.0, "A parking program's list, Seat Ibiza 2018",
-                   "radius 5.0 m, curb or wall not said",
-                   "github.com/cname87/parallel-park, src/app/services/objects.service.ts\n"
-                   "The list does not name its sheet. Wheelbase: coches.net, "
-                   "https://coches.net/noticias/nuevo-seat-ibiza-2017\n"
-                   "The program has the body's front corner on that circle, which would be tighter."},
+             Sheet{"renault-master", 2070, 4332, 869, 1024, 15.7, "Renault, technical brochure, Master, July 2023",
+                   "15.7 m, curb to curb",
+                   "The brochure of Renault in France, written down in github.com/billiet-cadart/van,\n"
+                   "docs/dimensions-l3h2.md\n"
+                   "The long van, L3H2 with front-wheel drive. The brochure calls its diameters radii; 16.2 m wall to "
+                   "wall."},
              Sheet{"skoda-octavia", 1829, 2686, 910, 1094, 10.4, "auto-data.net, Skoda Octavia IV 2.0 TDI (150 Hp) DSG",
                    "10.4 m, curb or wall not said",
                    "https://www.auto-data.net/en/skoda-octavia-iv-2.0-tdi-150hp-dsg-38011\n"

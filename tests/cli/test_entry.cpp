@@ -59,7 +59,8 @@ TEST(Entry, JsonHasTheDocumentedKeysInOrder) {
     EXPECT_TRUE(answer["max_changes"].is_null());
     EXPECT_EQ(answer["parkable"], true);
     const Json& maneuver = answer["maneuver"];
-    EXPECT_EQ(keys(maneuver), (Keys{"direction_changes", "length", "seconds", "swept", "entry", "goal", "moves"}));
+    EXPECT_EQ(keys(maneuver),
+              (Keys{"direction_changes", "length", "seconds", "standing_steers", "swept", "entry", "goal", "moves"}));
     EXPECT_EQ(keys(maneuver["swept"]), (Keys{"x_min", "x_max", "y_min", "y_max"}));
     EXPECT_EQ(keys(maneuver["entry"]), (Keys{"x", "y", "heading"}));
     for (const Json& move : maneuver["moves"]) {

@@ -113,16 +113,16 @@ TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
             const std::optional<Direction> driven_last =
                 random.chance(0.5) ? std::nullopt
                                    : std::optional(random.chance(0.5) ? Direction::forward : Direction::backward);
-            const auto ask = [&]() -> const Instruction& { return assistant->next(pose, driven_last, memory); };
+            const Instruction* answer = nullptr;
             const auto timed = [&] {
                 const auto begin = std::chrono::steady_clock::now();
-                (void)ask();
+                answer = &assistant->next(pose, driven_last, memory);
                 return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             };
             double took = timed();
             // Slow by chance, for the machine had other work?
             for (int again = 0; again < 9 && took > slowest; ++again) took = std::min(took, timed());
-            const Instruction& told = ask();
+            const Instruction& told = *answer;
             sum += took;
             const auto where = [&] {
                 return "\nplace " + std::to_string(i) + " at " + std::to_string(pose.x) + ", " +
@@ -378,8 +378,7 @@ TEST(Drive, SteersOnlyWhileItRollsWhereItSaysSo) {
     EXPECT_GT(drive_runs(zoe(), street, standard_start(street, zoe()), standing).runs[0].standing_steers, 0);
 }
 
-/// The margin found is the least that does, or better: every smaller one of the list fails, and runs tried at first are those driven in
-/// the end.
+/// A margin that is found does, and what is told of it are the runs it has, whatever it was chosen by.
 TEST(Drive, MarginsFoundAreThoseOfAllRuns) {
     DriveOptions options;
     options.runs = 120;

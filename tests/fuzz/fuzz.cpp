@@ -1,14 +1,21 @@
 // Every reader of files, and the solver itself, fed by libFuzzer: the first byte says which. Whatever the bytes are, the answer is
 // a value or an Error of one line, and what a value gives when it is written is read back.
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "../atlas/reseal.hpp"
+#include "snug/atlas.hpp"
+#include "snug/atlas_build.hpp"
 #include "snug/io.hpp"
 #include "snug/scene.hpp"
 #include "snug/snug.hpp"
@@ -79,17 +86,84 @@ void solve(std::string_view bytes) {
         expect(answer.maneuver->direction_changes() == *answer.direction_changes, "the maneuver has another count");
 }
 
+/// An exported atlas of two cars, one of them round, with all that can be in a cell.
+std::string small_atlas() {
+    using namespace snug;
+    const Outline round = Outline::rounded(3.4, 0.7, 0.9, 0.3, 0.2);
+    const AtlasPlan plan = {{*find_car("renault-zoe"), Car(round, 2.6, 0.6, "round")}, {2.0, 2.1}, {5.0, 5.1, 5.2}, {}};
+    CellAnswer answer;
+    answer.direction_changes = 1;
+    answer.ranges = {{0.4, 0.5, 1, 0}};
+    answer.entry = {0.5, 1.0, 0.45};
+    answer.moves = {{Direction::backward, 0.5, 1.0, Contact{CarPart::rear_right_corner, Obstacle::curb}},
+                    {Direction::forward, -0.3, 0.2, {}}};
+    std::string bytes;
+    AtlasWriter writer(plan, "fuzz", [&](std::string_view part) { bytes += part; });
+    for (int i = 0; i < 12; ++i) writer.add(i % 3 == 2 ? CellAnswer{} : answer);
+    writer.finish();
+    std::string sealed = bytes;
+    snug::test::reseal(sealed);
+    expect(sealed == bytes, "a whole atlas is sealed otherwise than it was");
+    return bytes;
+}
+
+/// Everything in an atlas; of one that says it is enormous the beginning and the end.
+void read_all(const snug::Atlas& atlas) {
+    const auto each = [](std::size_t count, const auto& look) {
+        for (std::size_t i = 0; i < std::min<std::size_t>(count, 4); ++i) {
+            look(i);
+            look(count - 1 - i);
+        }
+    };
+    const auto read_cell = [&](const snug::AtlasCell& cell, std::size_t car) {
+        for (std::size_t i = 0; i < cell.ranges(); ++i) static_cast<void>(cell.range(i));
+        try {
+            for (const snug::Side side : {snug::Side::right, snug::Side::left})
+                static_cast<void>(snug::maneuver(cell, atlas.car(car), snug::Slot({5.1, 2.0, side})));
+        } catch (const snug::Error&) {  // no such car can exist
+        }
+    };
+    each(atlas.cars(), [&](std::size_t car) {
+        static_cast<void>(atlas.find_car(atlas.car_name(car)));
+        each(atlas.widths(), [&](std::size_t width) {
+            each(atlas.lengths(), [&](std::size_t length) {
+                if (const auto cell = atlas.cell(car, width, length)) read_cell(*cell, car);
+                read_cell(atlas.look_up(car, atlas.length(length) + 1e-3, atlas.width(width) + 1e-3).cell, car);
+            });
+        });
+    });
+    each(atlas.blocks(), [&](std::size_t block) { static_cast<void>(atlas.block_is_whole(block)); });
+}
+
+/// An atlas as the bytes are, or a whole one in which they change words, of which the checksums are made right again.
+void read_atlas(std::string_view text) {
+    std::string bytes(text);
+    if (!text.empty() && text.front() % 8 != 0) {
+        static const std::string whole = small_atlas();
+        bytes = whole;
+        for (text.remove_prefix(1); text.size() >= 6; text.remove_prefix(6)) {
+            std::uint16_t at = 0;
+            std::memcpy(&at, text.data(), sizeof at);
+            std::memcpy(bytes.data() + at % (bytes.size() - 3), text.data() + sizeof at, 4);
+        }
+        snug::test::reseal(bytes);
+    }
+    const std::vector<char> exact(bytes.begin(), bytes.end());  // ends where its memory ends
+    read_all(snug::Atlas(std::as_bytes(std::span(exact))));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
     try {
-        switch (data[0] % 5) {
+        switch (data[0] % 6) {
             case 0: read_car(bytes); break;
             case 1: read_fleet(bytes); break;
             case 2: static_cast<void>(snug::scene_from_json(bytes, "fuzz")); break;
             case 3: static_cast<void>(snug::scene_from_csv(bytes, "fuzz")); break;
+            case 4: read_atlas(bytes); break;
             default: solve(bytes); break;
         }
     } catch (const snug::Error& error) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "contact/entering.hpp"
@@ -162,6 +163,66 @@ TEST(OutlineLaws, TheMirroredCarHasTheSameEntriesOnTheOtherSide) {
         SCOPED_TRACE(command_line(asked));
         expect_same_ranges(entries(asked), entries(in_the_mirror(asked)), 1e-12);
     }
+}
+
+TEST(OutlineLaws, ContactsNameTheCornerThatTouches) {
+    int touched[2][2] = {};  // by full steering and in the fewest changes, tail and nose first
+    for (int i = 0; i < cases(); ++i) {
+        Case asked = random_outline_case(seed + 13, std::uint64_t(i));
+        if (i % 2 != 0) {  // nose first takes more room
+            asked.driving.enter = snug::Enter::forward;
+            asked.slot.length *= 1.2;
+            asked.slot.width *= 1.4;
+        }
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + command_line(asked));
+        const snug::Car car = asked.made_car();
+        const snug::Slot slot = asked.made_slot();
+        const bool low = slot.curb() == snug::Curb::low;
+        for (const bool least : {false, true}) {
+            const snug::Answer answer = least ? fewest_of(asked, 4e-3 * asked.car_length()) : entries(asked);
+            if (!answer.maneuver) continue;
+            for (const snug::Move& move : answer.maneuver->moves) {
+                if (!move.contact) continue;
+                const snug::Obstacle met = move.contact->obstacle;
+                const bool curb = met == snug::Obstacle::curb;
+                const snug::Outline outline = (curb && low ? car.wheels() : car.outline())
+                                                  .grown(curb ? asked.driving.at_curb() : asked.driving.clearance);
+                ASSERT_LT(move.contact->part_index, outline.corners().size());
+                const double c = std::cos(move.end.heading), s = std::sin(move.end.heading);
+                const auto placed = [&](std::size_t index) {
+                    const snug::Point& corner = outline.corners()[index % outline.corners().size()];
+                    return slot.to_slot(snug::Point{move.end.x + c * corner.x - s * corner.y,
+                                                    move.end.y + s * corner.x + c * corner.y});
+                };
+                const snug::Point at = placed(move.contact->part_index);
+                const snug::Point next = placed(move.contact->part_index + 1);
+                const auto off_the_edge = [&](const snug::Point& point) {
+                    const double x = next.x - at.x, y = next.y - at.y;
+                    return std::abs(x * (point.y - at.y) - y * (point.x - at.x)) / std::hypot(x, y);
+                };
+                const double in_front = std::abs(at.x), behind = std::abs(at.x + slot.length());
+                double apart = 0.0;
+                switch (met) {  // a neighbour is met at its side or, from the road, at its top
+                    case snug::Obstacle::curb: apart = at.y + slot.width(); break;
+                    case snug::Obstacle::front_side:
+                        apart = std::min(in_front, std::abs(at.y + slot.front_setback()));
+                        break;
+                    case snug::Obstacle::rear_side:
+                        apart = std::min(behind, std::abs(at.y + slot.rear_setback()));
+                        break;
+                    case snug::Obstacle::front_corner: apart = off_the_edge({0.0, -slot.front_setback()}); break;
+                    case snug::Obstacle::rear_corner:
+                        apart = off_the_edge({-slot.length(), -slot.rear_setback()});
+                        break;
+                }
+                EXPECT_NEAR(apart, 0.0, 1e-6) << to_string(move.contact->part) << ' ' << to_string(met);
+                ++touched[least][asked.driving.enter == snug::Enter::forward];
+            }
+        }
+    }
+    std::printf("contacts: %d and %d by full steering, %d and %d in the fewest changes\n", touched[0][0], touched[0][1],
+                touched[1][0], touched[1][1]);
+    EXPECT_GT(touched[0][0], 0);
 }
 
 TEST(OutlineLaws, MovingTheWorldChangesNoEntry) {

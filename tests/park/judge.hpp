@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -16,49 +17,51 @@ struct Corner {
     double x, y;
 };
 
-inline std::vector<Corner> car_at(const snug::Car& car, const snug::Pose& pose, bool wheels) {
+inline std::array<Corner, 4> car_at(const snug::Car& car, const snug::Pose& pose, bool wheels) {
     const double front = wheels ? car.wheelbase() : car.front(), rear = wheels ? 0.0 : car.rear(),
                  side = car.width() / 2;
     const double c = std::cos(pose.heading), s = std::sin(pose.heading);
-    std::vector<Corner> corners;
-    for (const Corner& p : {Corner{front, side}, {-rear, side}, {-rear, -side}, {front, -side}})
-        corners.push_back({pose.x + c * p.x - s * p.y, pose.y + s * p.x + c * p.y});
-    return corners;
+    const auto there = [&](double x, double y) { return Corner{pose.x + c * x - s * y, pose.y + s * x + c * y}; };
+    return {there(front, side), there(-rear, side), there(-rear, -side), there(front, -side)};
 }
 
-/// How deep two convex polygons overlap at least; negative when they are apart.
-inline double depth(const std::vector<Corner>& one, const std::vector<Corner>& other) {
+/// How far two convex polygons overlap across an edge of the first, at least; negative when they are apart there.
+template <typename One, typename Other>
+double depth_across_edges(const One& one, const Other& other) {
     double least = std::numeric_limits<double>::infinity();
-    for (const auto* polygon : {&one, &other}) {
-        for (std::size_t i = 0; i < polygon->size(); ++i) {
-            const Corner &a = (*polygon)[i], &b = (*polygon)[(i + 1) % polygon->size()];
-            const double length = std::hypot(b.x - a.x, b.y - a.y), x = (b.y - a.y) / length, y = -(b.x - a.x) / length;
-            double low_one = 1e300, high_one = -1e300, low_other = 1e300, high_other = -1e300;
-            for (const Corner& p : one) {
-                low_one = std::min(low_one, x * p.x + y * p.y);
-                high_one = std::max(high_one, x * p.x + y * p.y);
-            }
-            for (const Corner& p : other) {
-                low_other = std::min(low_other, x * p.x + y * p.y);
-                high_other = std::max(high_other, x * p.x + y * p.y);
-            }
-            least = std::min({least, high_one - low_other, high_other - low_one});
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        const auto &a = one[i], &b = one[(i + 1) % one.size()];
+        const double x = b.y - a.y, y = a.x - b.x;
+        double low_one = 1e300, high_one = -1e300, low_other = 1e300, high_other = -1e300;
+        for (const auto& p : one) {
+            low_one = std::min(low_one, x * p.x + y * p.y);
+            high_one = std::max(high_one, x * p.x + y * p.y);
         }
+        for (const auto& p : other) {
+            low_other = std::min(low_other, x * p.x + y * p.y);
+            high_other = std::max(high_other, x * p.x + y * p.y);
+        }
+        least = std::min(least, std::min(high_one - low_other, high_other - low_one) / std::sqrt(x * x + y * y));
     }
     return least;
 }
 
-/// How far two polygons that are apart are from each other: a corner of one from an edge of the other.
-inline double distance_between(const std::vector<Corner>& one, const std::vector<Corner>& other) {
+/// How deep two convex polygons overlap at least; negative when they are apart.
+template <typename One, typename Other>
+double depth(const One& one, const Other& other) {
+    return std::min(depth_across_edges(one, other), depth_across_edges(other, one));
+}
+
+/// How far a corner of the second polygon, which is apart, is from an edge of the first.
+template <typename One, typename Other>
+double distance_of_corners(const One& one, const Other& other) {
     double least = std::numeric_limits<double>::infinity();
-    for (const auto* polygon : {&one, &other}) {
-        for (std::size_t i = 0; i < polygon->size(); ++i) {
-            const Corner &a = (*polygon)[i], &b = (*polygon)[(i + 1) % polygon->size()];
-            const double x = b.x - a.x, y = b.y - a.y;
-            for (const Corner& p : polygon == &one ? other : one) {
-                const double part = std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y), 0.0, 1.0);
-                least = std::min(least, std::hypot(p.x - a.x - part * x, p.y - a.y - part * y));
-            }
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        const auto &a = one[i], &b = one[(i + 1) % one.size()];
+        const double x = b.x - a.x, y = b.y - a.y;
+        for (const auto& p : other) {
+            const double part = std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y), 0.0, 1.0);
+            least = std::min(least, std::hypot(p.x - a.x - part * x, p.y - a.y - part * y));
         }
     }
     return least;
@@ -68,9 +71,8 @@ inline double distance_in_place(const snug::Car& car, const snug::Place& place, 
     double least = std::numeric_limits<double>::infinity();
     const auto body = car_at(car, pose, false), wheels = car_at(car, pose, true);
     for (const auto& piece : place.pieces()) {
-        std::vector<Corner> corners;
-        for (const snug::Point& p : piece.corners) corners.push_back({p.x, p.y});
-        least = std::min(least, distance_between(piece.low ? wheels : body, corners));
+        const auto& shape = piece.low ? wheels : body;
+        least = std::min({least, distance_of_corners(shape, piece.corners), distance_of_corners(piece.corners, shape)});
     }
     return least;
 }
@@ -78,11 +80,8 @@ inline double distance_in_place(const snug::Car& car, const snug::Place& place, 
 inline double depth_in_place(const snug::Car& car, const snug::Place& place, const snug::Pose& pose) {
     double deepest = -std::numeric_limits<double>::infinity();
     const auto body = car_at(car, pose, false), wheels = car_at(car, pose, true);
-    for (const auto& piece : place.pieces()) {
-        std::vector<Corner> corners;
-        for (const snug::Point& p : piece.corners) corners.push_back({p.x, p.y});
-        deepest = std::max(deepest, depth(piece.low ? wheels : body, corners));
-    }
+    for (const auto& piece : place.pieces())
+        deepest = std::max(deepest, depth(piece.low ? wheels : body, piece.corners));
     return deepest;
 }
 

@@ -110,9 +110,7 @@ TEST(PlaceContact, ComesWhereSteppingFindsIt) {
         path.curvature = random.chance(0.2) ? 0.0 : random.between(-most, most);
         path.way = random.chance(0.5) ? 1.0 : -1.0;
         path.length = random.between(0.1, 15.0);
-        std::vector<Corner> still;
-        for (const Point& p : solid) still.push_back({p.x, p.y});
-        const auto deep = [&](double distance) { return depth(car_at(car, path.at(distance), false), still); };
+        const auto deep = [&](double distance) { return depth(car_at(car, path.at(distance), false), solid); };
         if (deep(0.0) > -1e-6) continue;
         const double found = snug::detail::first_contact(car.outline().corners(), path, solid, 1e-9);
         double stepped = snug::detail::never;

@@ -113,6 +113,17 @@ def test_notebooks_show_pictures(name):
     assert xml.fromstring(ASKED[name]._repr_svg_()).tag.endswith("svg")
 
 
+def test_maneuvers_show_themselves_alone_and_numbers_as_a_table():
+    maneuver = ASKED["entry"].maneuver
+    picture = maneuver._repr_svg_()
+    assert xml.fromstring(picture).tag.endswith("svg") and "18 direction changes" in picture
+    assert xml.fromstring(snug.entry(ROUND, SLOT).maneuver._repr_svg_()).tag.endswith("svg")
+    assert snug.Maneuver(ZOE, [])._repr_svg_() is None
+    for name in ("contact", "free", "shortfall", "goals", "bounds"):
+        cells = [(row[0].text, row[1].text) for row in xml.fromstring(ASKED[name]._repr_html_())]
+        assert cells == [(field, str(getattr(ASKED[name], field))) for field in ASKED[name].__match_args__]
+
+
 def test_maps_show_themselves_and_what_is_undecided_does_not():
     for place in (STREET, YARD):
         assert xml.fromstring(snug.ParkMap(ZOE, place, max_changes=2)._repr_svg_()).tag.endswith("svg")

@@ -81,6 +81,32 @@ def test_pictures_are_to_scale_on_the_axes_given(pyplot, side):
     figure.canvas.draw()
 
 
+@pytest.mark.parametrize("side", ["right", "left"])
+@pytest.mark.parametrize("curb", ["high", "low"])
+def test_pictures_of_rounded_cars_show_outlines_and_where_they_touch(pyplot, side, curb):
+    car = snug.Car(width=1.771, length=4.084, front_overhang=0.839, wheelbase=2.588, curb_to_curb=10.56, corner_radius=0.3)
+    slot = snug.Slot(4.9, 2.0, side=side, corner=(3, 1), heading=0.4, front_setback=0.1, rear_setback=0.2, curb=curb)
+    maneuver = snug.entry(car, slot).maneuver
+    ax = snug.plot.maneuver(maneuver, slot, swept=False)
+    ax.figure.canvas.draw()
+    edges = [path.vertices for collection in ax.collections for path in collection.get_paths()]
+    assert edges and all(len(edge) == len(car.outline) + 1 for edge in edges)
+    along_slot = np.array([-1, 1]) if side == "left" else np.array([1, 1])  # seen from the road
+    for pose in (maneuver.entry, maneuver.goal):
+        along, across = np.transpose(car.outline)
+        world = np.transpose([pose.x + np.cos(pose.heading) * along - np.sin(pose.heading) * across,
+                              pose.y + np.sin(pose.heading) * along + np.cos(pose.heading) * across])
+        at = along_slot * [tuple(slot.to_slot(snug.Point(*point))) for point in world]
+        assert min(np.abs(edge[:-1] - at).max() for edge in edges) < 1e-9
+    contacts = [move.contact for move in maneuver.moves if move.contact]
+    (shown,) = [line.get_xydata() for line in ax.lines if line.get_marker() == "D"]
+    assert len(shown) == len(contacts) > 0
+    for contact, (x, y) in zip(contacts, shown * along_slot):
+        met = {"curb": (y, -2.0), "front side": (x, 0.0), "rear side": (x, -4.9)}
+        if contact.obstacle in met:
+            assert met[contact.obstacle][0] == pytest.approx(met[contact.obstacle][1], abs=1e-6), contact
+
+
 def test_pictures_of_little(pyplot):
     nothing = snug.entry(CAR, snug.Slot(4.0, 2.0))
     snug.plot.entries(CAR, snug.Slot(4.0, 2.0), nothing)

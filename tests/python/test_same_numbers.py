@@ -25,7 +25,7 @@ def maneuver(m, slot):
     box = snug.swept(m)
     return {
         "direction_changes": m.direction_changes, "length": m.length, "seconds": m.seconds,
-        "swept": {name: getattr(box, name) for name in box.__match_args__},
+        "standing_steers": m.standing_steers, "swept": {name: getattr(box, name) for name in box.__match_args__},
         "entry": pose(m.entry), "goal": pose(m.goal),
         "moves": [{"direction": move.direction, "steering_angle": move.steering_angle, "length": move.length,
                    "start": pose(move.start), "end": pose(move.end),

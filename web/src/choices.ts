@@ -13,7 +13,6 @@ const titles: Record<string, string> = {
     "lexus-lbx": "Lexus LBX",
     "lexus-nx": "Lexus NX",
     "mazda-mx-5": "Mazda MX-5",
-    "seat-ibiza": "SEAT Ibiza",
     "skoda-octavia": "Škoda Octavia",
 };
 const titleOf = (name: string) => titles[name] ?? name.split("-").map((word) => word.charAt(0).toUpperCase() + word.slice(1)).join(" ");

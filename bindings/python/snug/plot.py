@@ -73,7 +73,18 @@ class _View:
         return x, y, pose.heading + self.turn
 
     def frames(self, car: _snug.Car, poses: Any) -> Any:
-        return self(_snug.frame(car, poses))
+        """The corners of its outline at each pose."""
+        if car.outline is None:
+            return self(_snug.frame(car, poses))
+        return self(_placed_points(car.outline, np.asarray(poses, float)[..., None, :]))
+
+
+def _placed_points(points: Any, poses: Any) -> Any:
+    """Points of the car in the world, each with the car at its pose."""
+    ahead, left = np.moveaxis(np.asarray(points, float), -1, 0)
+    x, y, heading = np.moveaxis(np.asarray(poses, float), -1, 0)
+    c, s = np.cos(heading), np.sin(heading)
+    return np.stack([x + c * ahead - s * left, y + s * ahead + c * left], axis=-1)
 
 
 def _outline(text: str) -> Any:
@@ -205,16 +216,22 @@ def _paths(ax: Axes, view: _View, maneuver: _snug.Maneuver, zorder: float) -> No
 
 def _contact_points(view: _View, maneuver: _snug.Maneuver) -> Any:
     corners = ("front-left corner", "rear-left corner", "rear-right corner", "front-right corner")
-    slot = view.slot
-    points = []
+    car, slot = maneuver.car, view.slot
+    points: list[Any] = []
     for move in maneuver.moves:
         if move.contact is None:
             continue
-        if move.contact.part in corners:
-            points.append(_snug.frame(maneuver.car, move.end)[corners.index(move.contact.part)])
-        else:  # an edge meets one of the slot's corners at the road
-            x = 0.0 if move.contact.obstacle.startswith("front") else -slot.length
-            points.append(tuple(slot.to_world(_snug.Point(x, 0.0))))
+        part, obstacle = move.contact.part, move.contact.obstacle
+        if obstacle == "front corner":  # which an edge meets
+            points.append(tuple(slot.to_world(_snug.Point(0.0, -slot.front_setback))))
+        elif obstacle == "rear corner":
+            points.append(tuple(slot.to_world(_snug.Point(-slot.length, -slot.rear_setback))))
+        elif part.endswith("wheel"):
+            points.append(_placed_points(car.wheels[move.contact.index], move.end))
+        elif car.outline is not None:
+            points.append(_placed_points(car.outline[move.contact.index], move.end))
+        else:
+            points.append(_snug.frame(car, move.end)[corners.index(part)])
     return view(np.reshape(points, (-1, 2)))
 
 

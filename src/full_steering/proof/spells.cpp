@@ -40,7 +40,6 @@ bool grazing(const Condition& of, const Form& sinks, double reference, Failure& 
     at.angle = near_angle(at.c, at.s, reference);
     const double half = 0.5 * std::sqrt(2.0 * part) * (1.0 + part) * (1.0 + 1e-12);
     at.off = {half, 0.0, 0.0, 0.0, half + 1e-15 + of.error / radius};
-    failure.surely = sinks.positive();
     return true;
 }
 
@@ -64,7 +63,9 @@ void spells_of(Spells& all, const Condition& of, const State& state, const Headi
         const Form extreme = extreme_of(of, state, greatest);
         fail(sign_of(extreme) == Sign::unknown ? Failure::at_root : Failure::beside_graze,
              greatest ? extreme : -extreme);
-        if (greatest && last.sign == Sign::negative) all.failure.grazes = grazing(of, extreme, reference, all.failure);
+        if (!greatest || first.sign != Sign::negative || last.sign != Sign::negative) return;
+        all.failure.grazes = grazing(of, extreme, reference, all.failure);
+        all.failure.surely = extreme.positive() && first.going == Sign::positive && last.going == Sign::negative;
     };
     Sign at_first = first.sign;
     if (known && first.going == Sign::negative) at_first = Sign::negative;
@@ -83,8 +84,10 @@ void spells_of(Spells& all, const Condition& of, const State& state, const Headi
             if (peak.negative()) return;
             if (touching || !peak.positive()) return graze(true);
             if (!begins(spell) || !ends(spell)) return graze(true);
-            // Both roots lie before the end only if the peak does; the signs at the ends leave both or neither.
-            if (difference(spell.begin, from).positive() || difference(to, spell.begin).positive()) return;
+            // The signs at the ends leave both roots between them, or neither.
+            const Form before_end = difference(spell.begin, to);
+            if (difference(spell.begin, from).positive() || before_end.negative()) return;
+            if (!before_end.positive()) return graze(true);
             all.count = 1;
             all.spell[0] = spell;
             return;
@@ -101,7 +104,7 @@ void spells_of(Spells& all, const Condition& of, const State& state, const Headi
                 return graze(true);
             } else {
                 spell.to_end = false;
-                if (!ends(spell)) return graze(true);
+                if (!difference(spell.begin, to).positive() || !ends(spell)) return graze(true);
             }
         }
         all.count = 1;

@@ -91,12 +91,17 @@ void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found
     found = std::move(left);
 }
 
-ProofHints hints_from(const std::vector<CountedHeadings>& found, int changes) {
+ProofHints hints_from(const std::vector<Headings>& possible, const std::vector<CountedHeadings>& found, int changes) {
     // Around the end of a range one box in which all is straight: it is cut at the end, and its parts need the last move only.
-    constexpr std::array beside = {1e-4, 1e-2};
+    constexpr std::array beside = {1e-4, 1e-2, 3e-2};
+    // Where entry positions end: cars jam below, and above they plainly overlap something.
+    constexpr double below = 5e-3;
+    constexpr double above = 4e-3;
     constexpr double end = 1.57079632679489661923;
     ProofHints hints{changes, {}};
     for (const int i : {1, 2, 3, 4, 5, 6, 8, 11}) hints.headings.push_back(end * i / 16);
+    for (const Headings& headings : possible)
+        hints.headings.insert(hints.headings.end(), {headings.max - below, headings.max, headings.max + above});
     for (const CountedHeadings& range : found) {
         const double wide = range.max - range.min;
         for (const double away : beside) {

@@ -24,8 +24,8 @@ struct SingleRuns {
 /// anywhere, and stretches too narrow to be told from it.
 void leave_out_noise(const SingleRuns& runs, std::vector<CountedHeadings>& found, std::vector<Headings>& noise);
 
-/// Where the proof is to cut first: around the edges found, and here and there.
-ProofHints hints_from(const std::vector<CountedHeadings>& found, int changes);
+/// Where the proof is to cut first: where entry positions end, around the edges found, and here and there.
+ProofHints hints_from(const std::vector<Headings>& possible, const std::vector<CountedHeadings>& found, int changes);
 
 /// Puts right what was found, in place. What neither the proof nor a single run shows is added to the undecided.
 void settle(const SingleRuns& runs, std::vector<CountedHeadings>& found, const ProvedRanges& proved,
