@@ -119,6 +119,7 @@ function run(snug: Snug, questions: Asker) {
     });
     const parking = createParking(snug, questions, {
         changed: refresh,
+        answered: () => frame(),
         busy: () => street.busy(),
         slice: (heading) => (byId<HTMLInputElement>("show-map").checked ? street.slice(heading, street.busy() ? 10 : 5) : null),
     });

@@ -8,6 +8,8 @@ import { createStreetMap, type Seen } from "./street_map";
 
 interface Listener {
     changed(): void;
+    /** The same, and somebody waits for it. */
+    answered(): void;
     /** Something is being dragged: the exact search waits. */
     busy(): boolean;
     /** What of the street is in the picture, and how finely it is painted there. */
@@ -94,7 +96,8 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
             if (pose !== state.pose) return;
             Object.assign(state, { ...seen, lookedAt: pose, stale: false, trouble: "" });
             tellTimes();
-            listener.changed();
+            if (listener.busy()) listener.changed();
+            else listener.answered();
             soonExact(askExact, 0);
         },
         ready: () => {

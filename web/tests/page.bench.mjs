@@ -12,7 +12,7 @@ const line = (name, times, cpu = []) => {
         const at = (part) => sorted[Math.floor((sorted.length - 1) * part)].toFixed(2).padStart(8);
         return `${kind}least ${at(0)} median ${at(0.5)} most ${at(1)}`;
     };
-    console.log(`${name.padEnd(56)}${told("", times)}${told(times.length ? "   CPU " : "CPU ", cpu)} ms, of ${times.length || cpu.length}`);
+    console.log(`${name.padEnd(66)}${told("", times)}${told(times.length ? "   CPU " : "CPU ", cpu)} ms, of ${times.length || cpu.length}`);
 };
 /** CPU that the page's thread and all its threads have had. [ms] */
 const clocks = async (page) => {
