@@ -79,7 +79,7 @@ void solve(std::string_view bytes) {
     options.max_changes = 12;
     options.driving.clearance = std::abs(numbers.next(0.0));
     int reports = 0;
-    options.progress = [&](double) { return ++reports < 200; };
+    options.progress = [&](double) { return ++reports < 10; };
     const snug::Answer answer = snug::entry(car, slot, options);
     expect(answer.parkable() == answer.maneuver.has_value(), "a parkable slot has no maneuver, or another has one");
     if (answer.maneuver)
