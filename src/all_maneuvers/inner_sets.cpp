@@ -104,8 +104,12 @@ InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const L
     for (int d = first_column_; d <= last_column; ++d) {
         const Band& band = columns_[static_cast<std::size_t>(d - first_column_)].parked;
         if (!(band.from <= band.to)) continue;
-        const int first = std::max(spans.first, static_cast<int>(std::floor((band.from - start_.x) / (h_ / 2.0))));
-        const int last = std::min(spans.last(), static_cast<int>(std::ceil((band.to - start_.x) / (h_ / 2.0))));
+        // The band may have no end.
+        const auto row_at = [&](double rows) {
+            return static_cast<int>(std::clamp(rows, spans.first - 1.0, spans.last() + 1.0));
+        };
+        const int first = std::max(spans.first, row_at(std::floor((band.from - start_.x) / (h_ / 2.0))));
+        const int last = std::min(spans.last(), row_at(std::ceil((band.to - start_.x) / (h_ / 2.0))));
         for (int row = first + ((first ^ d) & 1); row <= last; row += 2) {
             const Span span = spans.of(row);
             const int cell = cell_of(d);
