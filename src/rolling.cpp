@@ -66,9 +66,12 @@ public:
         Left least = {0.0, 0.0};
         double best = std::numeric_limits<double>::infinity();
         for (const Mark& mark : marks_) {
-            const double aside = std::abs(mark.pose.x - pose.x) + std::abs(mark.pose.y - pose.y) +
-                                 reach_ * std::abs(std::remainder(mark.pose.heading - pose.heading, 6.283185307179586));
+            double aside = std::abs(mark.pose.x - pose.x) + std::abs(mark.pose.y - pose.y);
             const double along = mark.left + (mark.way == way ? 0.0 : 0.5);
+            if (along + 2.0 * aside >= best) continue;
+            double turned = std::abs(mark.pose.heading - pose.heading);
+            if (turned > limits::half_turn) turned = std::abs(std::remainder(turned, 2.0 * limits::half_turn));
+            aside += reach_ * turned;
             if (along + 2.0 * aside < best) {
                 best = along + 2.0 * aside;
                 least = {along, aside};
@@ -426,6 +429,11 @@ RollingAnswer on_map(const ParkMap& map, double clearance, const Pose& start, do
     searches.clear();
     searches.push_back(search(1.0, 2, true));
     with(most, options.most_work / 4, searches, answer.standing);
+    if (answer.standing && answer.standing->standing_steers(bend).empty()) {  // it needs none after all
+        answer.maneuver = std::move(answer.standing);
+        answer.standing.reset();
+        return answer;
+    }
     if (!answer.standing) answer.standing = in_pieces(*standing);
     return answer;
 }
