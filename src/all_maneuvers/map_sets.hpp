@@ -125,6 +125,7 @@ private:
     struct Level {
         Interval y;
         int changes;
+        int filled = 0;  ///< so that a packed map holds nothing but itself
     };
     /// What is free at nodes, and for steps from them to the left and the right forward and across a cell.
     enum Kind { at_node, to_left, to_right, across, kinds };

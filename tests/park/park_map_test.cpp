@@ -178,6 +178,7 @@ TEST(ParkMap, PackedAndUnpackedItSaysTheSame) {
         const ParkMap again = ParkMap::unpacked(asked.car, asked.place, options, bytes);
         EXPECT_EQ(again.bytes(), map.bytes());
         EXPECT_EQ(again.fingerprint(), map.fingerprint());
+        EXPECT_TRUE(ParkMap(asked.car, asked.place, options).packed() == bytes) << "the bytes of one made again";
         for (int n = 0; n < 200; ++n) {
             const Pose pose = random_pose(random, asked);
             EXPECT_EQ(again.at(pose), map.at(pose)) << spelled(pose);
