@@ -22,7 +22,7 @@ snug::Answer entries(const Case& asked) {
     options.prove = false;
     options.driving = asked.driving;
     options.parked = asked.parked;
-    const snug::Answer best = snug::entry(asked.made_car(), asked.made_slot(), options);
+    snug::Answer best = snug::entry(asked.made_car(), asked.made_slot(), options);
     if (!best.direction_changes) return best;
     options.max_changes = *best.direction_changes + asked.more_changes;
     return snug::entry(asked.made_car(), asked.made_slot(), options);
