@@ -70,7 +70,7 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
     /** The slice that came last. */
     let painted = "";
     const soonExact = later(40);
-    /** How long after the last change there was an answer; after that and the end of a drag a way, and a proved one; for the bench. [ms] */
+    /** How long after the last change, and after the end of a drag, there was an answer, a way and a proved one; for the bench. [ms] */
     const times = { answers: [] as number[], ways: [] as number[], proofs: [] as number[] };
     let [since, sinceStill, wayless] = [NaN, NaN, NaN]; // not a number: told already
     const tellTimes = () => {
@@ -141,11 +141,13 @@ export function createParking(snug: Snug, questions: Asker, listener: Listener) 
 
     /** Nothing is dragged any more. */
     const released = () => {
-        if (sinceStill) sinceStill = performance.now();
-        if (wayless) wayless = performance.now();
-        tellTimes();
-        map.takeOver();
+        const now = performance.now();
+        if (since) since = now;
+        if (sinceStill) sinceStill = now;
+        if (wayless) wayless = now;
         map.hurry();
+        map.takeOver();
+        tellTimes();
         look();
         // Two at a time would wait for each other where there are few cores.
         soonExact(askExact, state.lookedAt === state.pose && !state.stale ? 0 : 60);

@@ -117,8 +117,9 @@ export function asker(module: WebAssembly.Module) {
         }
     };
 
-    const ask = <K extends Kind>(lane: string, kind: K, question: Questions[K]["ask"], tell: (told: Told<K>) => void) => {
-        abandon(lane);
+    /** `after`: what the lane is asked already is soon answered, to nobody; a new worker would take longer. */
+    const ask = <K extends Kind>(lane: string, kind: K, question: Questions[K]["ask"], tell: (told: Told<K>) => void, after = false) => {
+        if (!after) abandon(lane);
         let used = lanes.get(lane);
         if (!used) {
             used = { worker: take(), busy: false, id: 0 };

@@ -47,7 +47,7 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
     /** How long maps and looks took, for the tests and the bench. [ms] */
     const times = { maps: [] as number[], taken: [] as number[], looks: [] as number[], own: [] as number[] };
 
-    const sweep = (level: number) => {
+    const sweep = (level: number, after = false) => {
         if (!wanted) return;
         const mine = { key, level };
         const first = level === 0 ? stands : null;
@@ -74,19 +74,18 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
             }
             if (mine.key !== key) sweep(0);
             else if (!("error" in told) && level + 1 < levels.length) sweep(level + 1);
-        });
+        }, after);
     };
 
     /** Nothing is dragged any more: what is swept for a place that was passed on the way is in the way. */
     const hurry = () => {
         if (sweeping?.level !== 0 || sweeping.key === key) return;
         questions.abandon(`street-${1 - front}`);
-        // The other worker is warm; a new one takes half as long again.
-        if (!looking) {
-            front = 1 - front;
-            held = null;
-        }
-        sweep(0);
+        // The other worker is warm, and its look takes some milliseconds; a new one takes half as long again for all.
+        front = 1 - front;
+        held = null;
+        looking = 0;
+        sweep(0, true);
     };
 
     let own: { key: string; map: ParkMap } | null = null;
@@ -94,13 +93,14 @@ export function createStreetMap(snug: Snug, questions: Asker, listener: Listener
     const takeOver = () => {
         if (!given || listener.busy()) return;
         const before = performance.now();
-        const { key, swept, packed } = given;
+        const { key: its, swept, packed } = given;
         const { car, place, options, spacing } = swept;
         given = null;
+        if (its !== key) return; // of a place that was left
         own?.map.delete();
         own = null;
         try {
-            own = { key, map: snug.unpackParkMap(car, place, { ...options, spacing, max_changes: mostInStreet }, packed) };
+            own = { key: its, map: snug.unpackParkMap(car, place, { ...options, spacing, max_changes: mostInStreet }, packed) };
         } catch {
             // Out of memory, at worst: the workers' maps go on answering.
         }
