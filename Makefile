@@ -1,5 +1,5 @@
 # A thin front: every target sets itself up, then CMake's presets do the work.
-.PHONY: build python demo test sanitized-tests fuzz soak bench package peers pictures docs web web-page web-test coverage format clean setup check-format check-tidy
+.PHONY: build python demo test fuzz soak bench package peers pictures docs web web-page web-test coverage format clean setup check-format check-tidy
 .NOTPARALLEL:
 
 JOBS := $(shell nproc)
@@ -18,24 +18,21 @@ demo: setup
 	@echo "The picture is out/demo.svg"
 
 # Everything that can fail, the quickest first. One test more than there are cores, for some of them wait. The page is built and
-# tested beside what has sanitizers, for its tests mostly wait; what they say is in build/web/tests.log.
+# tested beside the build with sanitizers, for its tests mostly wait; what they say is in build/web/tests.log.
 TESTS := $(shell expr $(JOBS) + 1)
 test: check-format check-tidy build
 	ctest --preset release --parallel $(TESTS)
+	cmake --preset sanitize
 	@mkdir -p build/web
-	@echo "The page is built and tested beside this: build/web/tests.log"
+	@echo "The page is built and tested beside this build: build/web/tests.log"
 	@$(MAKE) web-test >build/web/tests.log 2>&1 & page=$$!; trap 'kill $$page' INT TERM; \
-	    $(MAKE) sanitized-tests; tested=$$?; \
-	    wait $$page || { cat build/web/tests.log; exit 1; }; exit $$tested
+	    cmake --build --preset sanitize --parallel $(JOBS); built=$$?; \
+	    wait $$page || { cat build/web/tests.log; exit 1; }; exit $$built
+	ctest --preset sanitize --parallel $(TESTS)
+	ctest --preset sanitize-command --parallel $(TESTS)
 	cmake --preset threads
 	cmake --build --preset threads --parallel $(JOBS)
 	ctest --preset threads --parallel $(TESTS)
-
-sanitized-tests: setup
-	cmake --preset sanitize
-	cmake --build --preset sanitize --parallel $(JOBS)
-	ctest --preset sanitize --parallel $(TESTS)
-	ctest --preset sanitize-command --parallel $(TESTS)
 
 # The random checks with their full number.
 soak: build

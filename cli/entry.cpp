@@ -169,7 +169,7 @@ std::string written(Format format, std::optional<View> view, const EntryQuestion
         case Format::csv: return view == View::maneuver ? moves_csv(answer) : entry_csv(answer);
         case Format::text: break;
     }
-    const std::string text = entry_text(question, answer, tolerance);
+    std::string text = entry_text(question, answer, tolerance);
     if (answer.cancelled) return text;
     if (no)
         return text + way_out_text(question, way_out(question, Strategy::max_steer,

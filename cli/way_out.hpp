@@ -32,7 +32,7 @@ std::string way_out_text(const EntryQuestion& question, const WayOut& out);
 /// The same for a car that starts where it stands: what more changes, more room or less clearance would do, tried from there.
 std::string way_out_text(const ParkQuestion& question);
 /// And for one that is to leave its slot onto an open road.
-std::string way_out_text(const EntryQuestion& question, const Pose& parked, const FewestOptions& options);
+std::string way_out_text(const EntryQuestion& question, const Pose& parked, const FewestOptions& asked);
 
 /// A line about a count that is not the fewest; empty when it may be.
 std::string fewer_text(int changes, const std::optional<Answer>& any);

@@ -15,8 +15,8 @@ namespace snug {
 
 class Slots {
 public:
-    Slots(Car car, Street street, AssistantOptions options)
-        : car_(std::move(car)), street_(std::move(street)), options_(std::move(options)) {}
+    Slots(Car car, const Street& street, const AssistantOptions& options)
+        : car_(std::move(car)), street_(street), options_(options) {}
 
     [[nodiscard]] const Street& street() const { return street_; }
     /// Seeming so much longer and wider than it is.

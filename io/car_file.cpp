@@ -72,7 +72,7 @@ public:
         agree_on_lengths(outline);
         const Car straight = build(outline, (least_steer + most_steer) / 2.0);  // the lengths, before the steering
         const double steer = steering(straight);
-        const Car car = build(outline, steer);
+        Car car = build(outline, steer);
         agree_on_steering(car);
         return car;
     }

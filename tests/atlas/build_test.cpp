@@ -332,7 +332,7 @@ TEST(AtlasDatabase, RefusesWhatIsNone) {
     expect(refused(folder.file("none/db"), small_plan()), "No such file");
     expect(refused("/dev/full", small_plan()), "is no file");
     const auto with_sql = [&](const std::string& statements) {
-        const std::string file = folder.file("altered");
+        std::string file = folder.file("altered");
         std::filesystem::remove(file);
         built(file, {{*find_car("renault-zoe")}, {2.0}, {5.0}, {}});
         EXPECT_EQ(std::system(("sqlite3 " + file + " \"" + statements + "\"").c_str()), 0);

@@ -43,7 +43,7 @@ inline void judge_all(Case (*make)(std::uint64_t seed, std::uint64_t index), int
                 ++failing;
                 ++kinds[asked.kind].second;
                 std::printf("case %llu of seed %llu (%s, +%d changes): %s\n",
-                            static_cast<unsigned long long>(first + i), static_cast<unsigned long long>(seed),
+                            static_cast<unsigned long long>(first) + i, static_cast<unsigned long long>(seed),
                             asked.kind.c_str(), asked.more_changes, command_line(asked).c_str());
                 for (const std::string& failure : verdict.failures) std::printf("    %s\n", failure.c_str());
                 std::fflush(stdout);

@@ -21,12 +21,12 @@ Case any_case(std::uint64_t seed, int i) {
 
 /// A pose near the slot that touches nothing.
 std::optional<Place<double>> free_place(Random& random, const Problem<double>& problem) {
-    const double L = problem.length, W = problem.width;
+    const double length = problem.length, width = problem.width;
     for (int i = 0; i < 100; ++i) {
-        Place<double> place{random.between(-L - 3, 4), random.between(-W, 4),
+        Place<double> place{random.between(-length - 3, 4), random.between(-width, 4),
                             random.chance(0.5) ? random.between(-0.3, 0.8) : random.between(-3.2, 3.2)};
         if (i % 2 == 0)  // in or half in the slot
-            place = {random.between(-L, 0), random.between(-W, 0.5),
+            place = {random.between(-length, 0), random.between(-width, 0.5),
                      random.between(-0.2, 0.2) * (random.chance(0.5) ? 1 : 0.1)};
         if (depth(problem, place) < 0) return place;
     }

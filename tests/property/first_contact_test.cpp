@@ -122,12 +122,12 @@ std::optional<Question> anywhere(std::uint64_t seed, int i) {
     if (question.asked.kind != "exotic" && random.chance(0.3)) question.asked.slot.length += random.between(0, 4);
     const Case& asked = question.asked;
     question.problem = make_problem<double>(asked);
-    const double L = asked.slot.length, W = asked.slot.width;
+    const double length = asked.slot.length, width = asked.slot.width;
     for (int k = 0; k < 100; ++k) {
-        question.place = {random.between(-L - 3, 4), random.between(-W, 4),
+        question.place = {random.between(-length - 3, 4), random.between(-width, 4),
                           random.chance(0.5) ? random.between(-0.3, 0.8) : random.between(-3.2, 3.2)};
         if (random.chance(0.5))
-            question.place = {random.between(-L, 0), random.between(-W, 0.3), random.between(-0.3, 0.3)};
+            question.place = {random.between(-length, 0), random.between(-width, 0.3), random.between(-0.3, 0.3)};
         if (depth(question.problem, question.place) < -1e-6) {
             choose_move(random, question);
             return question;
@@ -145,7 +145,7 @@ void compare(const Question& question, Seen& seen) {
     const snug::FirstContact got = question.answer();
     const Path<double> path = question.path();
     const Exact exact = question.exact();
-    const double R = 1 + std::abs(question.place.x) + std::abs(question.place.y) + question.asked.car_length();
+    const double size = 1 + std::abs(question.place.x) + std::abs(question.place.y) + question.asked.car_length();
     const double reach = std::isinf(path.radius) ? 1e3 : std::abs(path.radius) * 7;
     // Where something grazes or the contact is nearly tangent, rounding decides where it is.
     if (exact.grazing) {
@@ -154,11 +154,11 @@ void compare(const Question& question, Seen& seen) {
     }
     if (std::isfinite(exact.contact)) {
         ++seen.contacts;
-        ASSERT_NEAR(got.distance, double(exact.contact), 1e-9 * R + 1e-12 * reach) << question.text();
+        ASSERT_NEAR(got.distance, double(exact.contact), 1e-9 * size + 1e-12 * reach) << question.text();
         ASSERT_TRUE(got.contact) << question.text();
         // Tiny steering angles make the oracle's own arc imprecise in double.
         const double apart = gap_between(question.problem, path.at(got.distance), question.in_slot(*got.contact), true);
-        EXPECT_LE(apart, 1e-9 * R + 1e-15 * reach)
+        EXPECT_LE(apart, 1e-9 * size + 1e-15 * reach)
             << question.text() << "\n    " << snug::to_string(got.contact->part) << " and "
             << snug::to_string(got.contact->obstacle) << " at " << got.distance;
     } else {

@@ -266,7 +266,7 @@ TEST(Trials, RefuseImpossibleGoalsByName) {
 
 TEST(Trials, RefuseWhatTheyWouldLeaveOut) {
     const auto ask = [](const Car& car, const SlotDimensions& slot, const MaxSteerOptions& options) {
-        const std::string reversed = refusal([&] { static_cast<void>(reversed_trials(car, Slot(slot), {}, options)); });
+        std::string reversed = refusal([&] { static_cast<void>(reversed_trials(car, Slot(slot), {}, options)); });
         const std::string parallel = refusal([&] { static_cast<void>(parallel_trials(car, Slot(slot), {}, options)); });
         EXPECT_EQ(reversed, parallel);
         return reversed;
