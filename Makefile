@@ -157,7 +157,7 @@ check-format: setup
 
 # Folders in one piece, as the sanitizers have them: most of the work is reading what they include. With ALL=1 not the core alone
 # but all that is compiled, tests included (a quarter of an hour).
-TIDY := $(if $(ALL),. -extra-arg=-Wno-shadow,'snug\.dir/Unity|/(src|baselines)/')
+TIDY := $(if $(ALL),. -extra-arg=-Wno-shadow,'/snug\.dir/Unity|/(src|baselines)/')
 check-tidy: setup
 	cmake --preset tidy
 	run-clang-tidy -quiet -j $(JOBS) -p build/tidy -extra-arg=-Wno-unknown-warning-option $(TIDY)
