@@ -146,7 +146,8 @@ std::string drive_text(const ParkQuestion& question, const DriveOptions& options
     const std::string car = name(question.car);
     if (!answer.plannable)
         return car + " has no way into the place that keeps " +
-               (options.margin ? "a margin of " + metres(*options.margin) : "any margin") + ".\n";
+               (options.margin ? "a margin of " + metres(*options.margin) : "even 1 cm from everything") +
+               ".\nWhether and how it parks without a margin: snug park with the same car and place.\n";
     if (answer.runs.empty()) return "No run was finished.\n";
     const DriveTotals all = answer.totals();
     const double planned = answer.planned ? answer.planned_trajectory(options.limits).seconds() : 0.0;

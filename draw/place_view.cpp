@@ -117,8 +117,9 @@ std::string said(const ParkAnswer& answer, const Unit& unit) {
     if (!answer.maneuver)
         return answer.impossible ? "cannot park, proved for any number of direction changes" : "no maneuver found";
     return changes_label(*answer.direction_changes) +
-           (answer.proved ? ", proved the fewest" : ", at least " + std::to_string(answer.lower_bound)) + "; " +
-           path_label(answer.maneuver->length(), unit) + " driven";
+           (answer.lower_bound >= *answer.direction_changes ? ", proved the fewest"
+                                                            : ", at least " + std::to_string(answer.lower_bound)) +
+           "; " + path_label(answer.maneuver->length(), unit) + " driven";
 }
 
 std::string drawn(const Picture& picture, const std::string& answer, PictureFormat format,

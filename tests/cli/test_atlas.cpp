@@ -258,7 +258,7 @@ TEST(Atlas, WithoutRoomItKeepsWhatThereIs) {
     const Folder folder;
     const std::string file = folder.file("a.sqlite");
     const std::string grid = "atlas build --db " + file + " --cars all --width 3:3.3:0.1 --length 7:8:0.005";
-    for (const rlim_t room : {1000, 50'000, 150'000}) {
+    for (const rlim_t room : {1000U, 50'000U, 150'000U}) {
         const Result full = run_with_room(grid, room);
         EXPECT_EQ(full.exit_code, 2);
         EXPECT_EQ(std::count(full.err.begin(), full.err.end(), '\n'), 1) << full.err;

@@ -487,7 +487,7 @@ TEST(Drive, GivesUpWhenToldTo) {
 TEST(Drive, RefusesWhatIsImpossible) {
     const Place place = street_place(usual_street());
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto refused = [&](DriveOptions options, const Pose& start = usual_start) {
+    const auto refused = [&](const DriveOptions& options, const Pose& start = usual_start) {
         EXPECT_THROW((void)drive_runs(zoe(), place, start, options), snug::Error);
     };
     for (const double bad : {-1.0, nan, 1e9}) {

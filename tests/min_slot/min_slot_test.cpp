@@ -106,7 +106,7 @@ std::string attack_from_below(const MinSlotCase& asked, double fails, std::uint6
     const double wider = snug::test::is_set("SNUG_SMALL") ? 10.0 : 1.0;
     std::vector<std::pair<double, double>> attacks = {{fails, 1e-5}, {fails - 1e-3, 1e-4}, {fails - 0.02, 1e-4}};
     for (int i = 0; i < 2; ++i)
-        attacks.push_back({random.between(asked.least(), std::max(asked.least(), fails)), 1e-4});
+        attacks.emplace_back(random.between(asked.least(), std::max(asked.least(), fails)), 1e-4);
     for (const auto& [size, step] : attacks) {
         if (size <= asked.least()) continue;
         if (const std::optional<double> heading = parking_heading(asked, size, wider * step, random.unit())) {

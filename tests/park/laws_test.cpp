@@ -48,12 +48,12 @@ std::optional<Bay> random_bay(std::uint64_t index) {
 TEST(ParkLaws, MoreRoadSmallerCarsAndLongerSlotsAreNoHarder) {
     const int count = snug::test::sample(16, 300);
     for (int i = 0; i < count; ++i) {
-        const auto bay = random_bay(static_cast<std::uint64_t>(200000 + i));
+        const auto bay = random_bay(200000 + static_cast<std::uint64_t>(i));
         if (!bay) continue;
         SCOPED_TRACE("case " + std::to_string(i) + ": " + described(bay->car, bay->street, bay->start));
         const auto hard = park(bay->car, street_place(bay->street), bay->start, quick());
         if (!hard.direction_changes) continue;
-        Random random(static_cast<std::uint64_t>(300000 + i));
+        Random random(300000 + static_cast<std::uint64_t>(i));
         Street easier = bay->street;
         if (easier.road) *easier.road += random.between(0.0, 1.0);
         easier.stretch += random.between(0.0, 1.0);
@@ -80,7 +80,7 @@ TEST(ParkLaws, MoreRoadSmallerCarsAndLongerSlotsAreNoHarder) {
 TEST(ParkLaws, LeavingIsParkingDrivenTheOtherWayRound) {
     const int count = snug::test::sample(12, 200);
     for (int i = 0; i < count; ++i) {
-        const auto bay = random_bay(static_cast<std::uint64_t>(500000 + i));
+        const auto bay = random_bay(500000 + static_cast<std::uint64_t>(i));
         if (!bay) continue;
         SCOPED_TRACE("case " + std::to_string(i) + ": " + described(bay->car, bay->street, bay->start));
         Street street = bay->street;
@@ -103,7 +103,7 @@ TEST(ParkLaws, LeavingIsParkingDrivenTheOtherWayRound) {
 TEST(ParkLaws, MirroredAndMovedWorldsAgree) {
     const int count = snug::test::sample(10, 200);
     for (int i = 0; i < count; ++i) {
-        const auto bay = random_bay(static_cast<std::uint64_t>(400000 + i));
+        const auto bay = random_bay(400000 + static_cast<std::uint64_t>(i));
         if (!bay) continue;
         SCOPED_TRACE("case " + std::to_string(i) + ": " + described(bay->car, bay->street, bay->start));
         const auto here = park(bay->car, street_place(bay->street), bay->start, quick());
@@ -136,7 +136,7 @@ TEST(ParkLaws, OnAnOpenRoadItAgreesWithFewest) {
     const int count = snug::test::sample(8, 200);
     int compared = 0;
     for (int i = 0; i < count; ++i) {
-        Random random(static_cast<std::uint64_t>(500000 + i));
+        Random random(500000 + static_cast<std::uint64_t>(i));
         const Car car = random_car(random);
         Street street;
         street.length = car.length() * random.between(1.08, 1.4);

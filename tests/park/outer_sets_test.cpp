@@ -27,9 +27,9 @@ TEST(OuterSets, HoldEveryPlaceOfRandomManeuversOutOfTheSlot) {
     const int maneuvers = snug::test::sample(400, 4000);
     long long states = 0;
     for (int i = first; i < first + count; ++i) {
-        const Case asked = random_case(static_cast<std::uint64_t>(100000 + i));
+        const Case asked = random_case(100000 + static_cast<std::uint64_t>(i));
         SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
-        Random random(static_cast<std::uint64_t>(7000000 + i));
+        Random random(7000000 + static_cast<std::uint64_t>(i));
         snug::detail::sets::Chart chart;
         const auto here = snug::detail::sets::chart_place(asked.car, asked.place, asked.start, 0.0, chart);
         if (std::abs(here.start.heading) > 1.3) continue;
@@ -71,9 +71,9 @@ TEST(Park, NeedsNoMoreChangesThanARandomManeuverHad) {
     const int count = snug::test::sample(40, 3000);
     int asked_for = 0;
     for (int i = 0; i < count; ++i) {
-        Case asked = random_case(static_cast<std::uint64_t>(1100000 + i));
+        Case asked = random_case(1100000 + static_cast<std::uint64_t>(i));
         SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
-        Random random(static_cast<std::uint64_t>(1200000 + i));
+        Random random(1200000 + static_cast<std::uint64_t>(i));
         snug::detail::sets::Chart chart;
         static_cast<void>(snug::detail::sets::chart_place(asked.car, asked.place, asked.start, 0.0, chart));
         // Headings stay within 80 degrees of the middle between both ends when they stay within 40 of the parked one.

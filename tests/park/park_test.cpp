@@ -48,7 +48,7 @@ TEST(Park, PolishedManeuversAndAlternativesParkWithoutTouchingAnything) {
     const int count = snug::test::sample(16, 1000);
     int found = 0, others = 0;
     for (int i = 0; i < count; ++i) {
-        const Case asked = random_case(static_cast<std::uint64_t>(600000 + i));
+        const Case asked = random_case(600000 + static_cast<std::uint64_t>(i));
         SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
         if (depth_in_place(asked.car, asked.place, asked.start) > -1e-6 || outside_region(asked.place, asked.start) > 0)
             continue;
@@ -81,7 +81,7 @@ TEST(Park, BoundsMeetInNearlyAllRandomPlaces) {
         static_cast<int>(snug::test::number("SNUG_CASES", static_cast<std::uint64_t>(snug::test::sample(8, 2000))));
     int asked_about = 0, met = 0, impossible = 0;
     for (int i = first; i < first + count; ++i) {
-        const Case asked = random_case(static_cast<std::uint64_t>(800000 + i));
+        const Case asked = random_case(800000 + static_cast<std::uint64_t>(i));
         if (depth_in_place(asked.car, asked.place, asked.start) > -1e-6 || outside_region(asked.place, asked.start) > 0)
             continue;
         snug::ParkOptions options;
@@ -105,8 +105,8 @@ TEST(Park, ACarThatStandsParkedStays) {
     const int count = snug::test::sample(20, 1000);
     int parked = 0;
     for (int i = 0; i < count; ++i) {
-        const Case asked = random_case(static_cast<std::uint64_t>(620000 + i));
-        Random random(static_cast<std::uint64_t>(630000 + i));
+        const Case asked = random_case(620000 + static_cast<std::uint64_t>(i));
+        Random random(630000 + static_cast<std::uint64_t>(i));
         const auto& inside = std::get<snug::ParkedInside>(asked.place.parked());
         Pose pose = {0.0, 0.0, inside.heading + random.between(-0.05, 0.05)};
         const double back = (asked.car.front() - asked.car.rear()) / 2;

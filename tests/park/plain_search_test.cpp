@@ -17,7 +17,7 @@ TEST(PlainSearch, NeverBeatsTheLowerBoundOfPark) {
     const int count = snug::test::sample(4, 300);
     int close = 0, found = 0;
     for (int i = 0; i < count; ++i) {
-        const Case asked = random_case(static_cast<std::uint64_t>(600000 + i));
+        const Case asked = random_case(600000 + static_cast<std::uint64_t>(i));
         if (depth_in_place(asked.car, asked.place, asked.start) > -1e-3 ||
             outside_region(asked.place, asked.start) > -1e-3)
             continue;

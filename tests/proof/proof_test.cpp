@@ -149,10 +149,10 @@ TEST(Proof, AgreesWithTheOracleForOutlines) { attack(random_outline_case, 403, s
 /// The least over all headings of how far the car stays short of parking with up to `changes`.
 double shortest(const Case& asked, int changes, double& at) {
     const Problem<double> problem = make_problem<double>(asked);
-    Run<double> run_;
+    Run<double> driven;
     const auto short_of = [&](double heading) {
-        run(problem, heading, changes, run_, Look::at_depths_too);
-        return run_.parked() ? std::min(run_.least(), 0.0) : run_.least();
+        run(problem, heading, changes, driven, Look::at_depths_too);
+        return driven.parked() ? std::min(driven.least(), 0.0) : driven.least();
     };
     double best = std::numeric_limits<double>::infinity();
     double step = 0.02;
