@@ -38,11 +38,6 @@ std::vector<SheetCar> sheet_cars() {
     // length, the car is the longer of the two, so that what fits here fits there.
     std::vector<SheetCar> cars;
     for (const Sheet& sheet : {
-             Sheet{"audi-a6", 1874, 2912, 925, 1095, 11.9, "Audi UK, technical data, A6 and S6 Saloon",
-                   "11.9 m, curb or wall not said",
-                   "https://press.audi.co.uk/assets/documents/original/17378-AudiUK00001705AudiA6andS6Saloonand.pdf\n"
-                   "written down in github.com/art20021986-wq/ua-art-autopilot, as the facts of UA-0017\n"
-                   "The generation sold until 2018."},
              Sheet{"citroen-jumper", 2050, 4035, 948, 1015, 14.14, "Citroen, technical data, Jumper, April 2010",
                    "14.14 m, curb to curb",
                    "The sheet of Citroen in France, written down in github.com/billiet-cadart/van,\n"
@@ -50,12 +45,39 @@ std::vector<SheetCar> sheet_cars() {
                    "The long van, L3H2 33 and 35. The body is the Fiat Ducato's and the Peugeot Boxer's too, and the "
                    "same "
                    "since 2006."},
-             Sheet{"hyundai-elantra", 1801, 2700, 880, 990, 34.8 * foot, "Hyundai Russia, Elantra, technical data",
-                   "34.8 ft, curb or wall not said",
-                   "The page of hyundai.ru as a dealer has it, github.com/ASDAFF/hyundai-oskol, Elantra/index.php\n"
-                   "Length (179.9 in), width (70.9 in) and circle: Lake Tahoe News, August 2016,\n"
-                   "https://laketahoenews.net/2016/08/2017-hyundai-elantra-limited-rocks\n"
-                   "The generation of 2016 to 2020."},
+             Sheet{"dacia-bigster", 1812, 2702, 854, 1015, 10.97, "Dacia Poland, Bigster brochure, December 2025",
+                   "10.97 m, curb to curb",
+                   "https://cdn.group.renault.com/dac/pl/pdf/broszury/bigster-brochure.pdf.asset.pdf/5f71268df9.pdf\n"
+                   "written down in github.com/xbodzio7/Dacia-Knowledge-Base, "
+                   "data/master/configuration_attribute_values.csv\n"
+                   "Lengths: Dacia's configurator, August 2026, PDF/Konfiguratory there. With front-wheel drive.\n"
+                   "The length is given as 4.570 m, 1 mm less than wheelbase and overhangs make."},
+             Sheet{"dacia-duster", 1813, 2657, 857, 829, 10.96, "Dacia Poland, Duster brochure, October 2025",
+                   "10.96 m, curb to curb",
+                   "https://cdn.group.renault.com/dac/pl/pdf/mini-broszury/new-duster-mini-brochure_2024.pdf.asset.pdf/"
+                   "b2659c32d0.pdf\n"
+                   "written down in github.com/xbodzio7/Dacia-Knowledge-Base, "
+                   "data/master/configuration_attribute_values.csv\n"
+                   "The third generation with front-wheel drive; 10.86 m in Dacia's configurator, August 2026.\n"
+                   "The rear overhang is what the length of 4.343 m leaves: it is given as 828 mm."},
+             Sheet{"dacia-jogger", 1784, 2898, 833, 819, 11.39, "Dacia Poland, Jogger brochure, December 2025",
+                   "11.39 m, curb to curb",
+                   "https://cdn.group.renault.com/dac/pl/pdf/broszury/jogger-brochure.pdf.asset.pdf/6b1235f90d.pdf\n"
+                   "The same in github.com/xbodzio7/Dacia-Knowledge-Base, PDF/Broszury\n"
+                   "Width: Dacia's configurator, August 2026, PDF/Konfiguratory there."},
+             Sheet{"dacia-sandero", 1753, 2604, 833, 665, 10.64, "Dacia Poland, Sandero brochure, February 2026",
+                   "10.64 m, curb to curb",
+                   "https://cdn.group.renault.com/dac/pl/pdf/broszury/sandero-brochure.pdf.asset.pdf/b83cd5df5f.pdf\n"
+                   "written down in github.com/xbodzio7/Dacia-Knowledge-Base, "
+                   "data/master/configuration_attribute_values.csv\n"
+                   "Width: Dacia's configurator, August 2026, PDF/Konfiguratory there. 1.853 m with mirrors folded."},
+             Sheet{
+                 "dacia-spring", 1583, 2423, 683, 595, 9.63, "Dacia Poland, Spring brochure, February 2026",
+                 "9.63 m, curb to curb (of the wheels)",
+                 "https://cdn.group.renault.com/dac/pl/pdf/broszury/new-spring-brochure.pdf.asset.pdf/acdd19cd55.pdf\n"
+                 "written down in github.com/xbodzio7/Dacia-Knowledge-Base, "
+                 "data/imports/spring_technical_20260219.csv\n"
+                 "The width is without mirrors."},
              Sheet{"hyundai-ioniq-5", 1890, 3000, 845, 790, 12.0, "Hyundai Indonesia, e-brochure, Ioniq 5",
                    "12 m, curb or wall not said",
                    "The e-brochure of Hyundai in Indonesia, written down in github.com/judahdski/hyundai-ebrochure,\n"
