@@ -83,6 +83,18 @@ ParkMap planned_map(const Car& car, const Place& place, const AssistantOptions& 
     return ParkMap(planned_car(car, options.steering_reserve), planned_place(place, options.margin / 2.0), map);
 }
 
+std::vector<Point> outward_normals(const std::vector<Point>& corners) {
+    std::vector<Point> normals;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        normals.push_back({(b.y - a.y) / length, (a.x - b.x) / length});
+    }
+    return normals;
+}
+
+constexpr std::size_t times_halved = 8;  ///< 2 cm of a way out, until it is shown that nothing grows
+
 AssistantOptions of_street(const Street& street, AssistantOptions options) {
     if (!options.heading) options.heading = street.heading;
     return options;
@@ -92,10 +104,26 @@ AssistantOptions of_street(const Street& street, AssistantOptions options) {
 
 struct AssistantMemory::Lists {
     detail::WayLists way;
-    std::vector<double> here, before, now;  ///< gaps to each obstacle
+    std::vector<double> here, before, now;  ///< gaps along all edges
+    std::vector<double> floors;             ///< gaps that may not fall
+    std::vector<double> halves;             ///< gaps along the edges of one, in between
     Instruction told;
     std::size_t looked = 0;
+
+    void reserve(const Assistant& assistant);
 };
+
+void AssistantMemory::Lists::reserve(const Assistant& assistant) {
+    std::size_t all = 0, most = 0;
+    for (const Assistant::Around& around : assistant.around_) {
+        const std::size_t edges = around.shape.size() + around.solid.size();
+        all += edges;
+        most = std::max(most, edges);
+    }
+    for (std::vector<double>* gaps : {&here, &before, &now}) gaps->resize(all);
+    floors.resize(assistant.around_.size());
+    halves.resize(times_halved * most);
+}
 
 AssistantMemory::AssistantMemory(const Assistant& assistant) : lists_(std::make_unique<Lists>()) {
     // As long as a way through a large map gets: a node every few centimetres, with three arcs at most.
@@ -103,8 +131,7 @@ AssistantMemory::AssistantMemory(const Assistant& assistant) : lists_(std::make_
     lists_->way.steps.reserve(most_pieces);
     lists_->way.few.reserve(most_pieces);
     lists_->told.moves.reserve(most_pieces);
-    for (std::vector<double>* gaps : {&lists_->here, &lists_->before, &lists_->now})
-        gaps->reserve(assistant.place().obstacles().size());
+    lists_->reserve(assistant);
 }
 AssistantMemory::AssistantMemory(AssistantMemory&&) noexcept = default;
 AssistantMemory& AssistantMemory::operator=(AssistantMemory&&) noexcept = default;
@@ -125,7 +152,14 @@ Assistant::Assistant(const Car& car, const Place& place, ParkMap map, const Assi
     for (const Place::Piece& piece : place_.pieces()) {
         const double keeps = piece.low ? 0.0 : place_.obstacles()[piece.obstacle].clearance.value_or(0.0);
         const Outline shape = piece.low ? car_.wheels() : car_.outline().grown(keeps);
-        Around around = {shape.corners(), piece.corners, piece.obstacle, piece.corners[0], piece.corners[0]};
+        Around around = {
+            shape.corners(),
+            piece.corners,
+            outward_normals(shape.corners()),
+            outward_normals(piece.corners),
+            around_.empty() ? 0 : around_.back().begin + around_.back().shape.size() + around_.back().solid.size(),
+            piece.corners[0],
+            piece.corners[0]};
         for (const Point& p : around.solid) {
             around.low = {std::min(around.low.x, p.x), std::min(around.low.y, p.y)};
             around.high = {std::max(around.high.x, p.x), std::max(around.high.y, p.y)};
@@ -145,9 +179,26 @@ double Assistant::gap(const Around& around, const Pose& pose) {
     return detail::distance(shape.data(), shape.size(), solid.data(), solid.size());
 }
 
-void Assistant::gaps_at(const Pose& pose, std::vector<double>& gaps) const {
-    gaps.assign(place_.obstacles().size(), std::numeric_limits<double>::infinity());
-    for (const Around& around : around_) gaps[around.obstacle] = std::min(gaps[around.obstacle], gap(around, pose));
+/// In the direction of every edge of either; the widest is how far they overlap, if it is negative, else no more than their distance.
+void Assistant::gaps_along_edges(const Around& around, const Pose& pose, double* gaps) {
+    const auto [s, c] = angles::sine_cosine(pose.heading);
+    detail::Few<Point, 64> shape, seen;
+    for (const Point& p : around.shape) shape.push_back({pose.x + p.x * c - p.y * s, pose.y + p.x * s + p.y * c});
+    for (const Point& p : around.solid) {
+        const double x = p.x - pose.x, y = p.y - pose.y;
+        seen.push_back({x * c + y * s, y * c - x * s});
+    }
+    const auto along = [&](const std::vector<Point>& edges, const std::vector<Point>& normals, const auto& points) {
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            const Point n = normals[i];
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const Point& p : points)
+                nearest = std::min(nearest, n.x * (p.x - edges[i].x) + n.y * (p.y - edges[i].y));
+            *gaps++ = nearest;
+        }
+    };
+    along(around.solid, around.solid_normals, shape);
+    along(around.shape, around.shape_normals, seen);
 }
 
 double Assistant::nearest(const Pose& pose) const {
@@ -206,6 +257,7 @@ void Assistant::settle(Move& last, std::size_t& looked) const {
 
 Instruction Assistant::next(const Pose& measured, std::optional<Direction> driven) const {
     Lists lists;
+    lists.reserve(*this);
     answer(measured, driven, lists);
     return std::move(lists.told);
 }
@@ -259,40 +311,87 @@ void Assistant::answer(const Pose& measured, std::optional<Direction> driven, Li
     settle(moves.back(), lists.looked);
 }
 
+/// In the direction of one edge the gap is that of the nearest corner, and of each corner it changes along an arc with a second
+/// derivative of at most curvature^2 times its distance from the arc's centre. So in between it is at least the lesser of those at
+/// the ends less an eighth of that times length^2, and the widest gap is at least the greatest of these.
+bool Assistant::never_deeper(const Around& around, const Move& arc, double from, const double* gaps_from, double to,
+                             const double* gaps_to, double floor, double* room, std::size_t& looked) const {
+    constexpr double tolerance = 2e-7;  // [m]
+    constexpr double shortest = 1e-4;   // [m]
+    const std::size_t edges = around.shape.size() + around.solid.size();
+    double surely = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < edges; ++i) surely = std::max(surely, std::min(gaps_from[i], gaps_to[i]));
+    const double length = to - from;
+    // A corner is no farther from the centre than from where the arc begins, and that from the centre.
+    const double curvature = std::abs(angles::tan(arc.steering_angle)) / car_.wheelbase();
+    const double off = std::max(
+        around.reach, std::max(std::abs(around.low.x - arc.start.x), std::abs(around.high.x - arc.start.x)) +
+                          std::max(std::abs(around.low.y - arc.start.y), std::abs(around.high.y - arc.start.y)));
+    const double sag = (curvature + curvature * curvature * off) * length * length / 8.0;
+    if (surely - sag >= floor - tolerance) return true;
+    if (length < shortest) return false;
+    const double middle = (from + to) / 2.0;
+    gaps_along_edges(around, drive(car_, arc.start, arc.direction, arc.steering_angle, middle), room);
+    ++looked;
+    if (*std::max_element(room, room + edges) < floor - tolerance) return false;
+    return never_deeper(around, arc, from, gaps_from, middle, room, floor, room + edges, looked) &&
+           never_deeper(around, arc, middle, room, to, gaps_to, floor, room + edges, looked);
+}
+
 Assistant::Arc Assistant::way_out(const Pose& measured, Lists& lists) const {
     constexpr double step = 0.02, farthest = 1.0;  // [m]
     constexpr double grown = 1e-9;
-    std::vector<double>& before = lists.before;
-    std::vector<double>& now = lists.now;
-    gaps_at(measured, lists.here);
+    const auto edges_of = [](const Around& around) { return around.shape.size() + around.solid.size(); };
+    const auto widest = [&](const Around& around, const std::vector<double>& gaps) {
+        const double* first = gaps.data() + around.begin;
+        return *std::max_element(first, first + edges_of(around));
+    };
+    for (const Around& around : around_) gaps_along_edges(around, measured, lists.here.data() + around.begin);
     Arc best;
     double least = -nearest(measured), shortest = farthest;
     for (const Direction direction : {Direction::backward, Direction::forward}) {
         for (const double part : {0.0, -1.0, 1.0, -0.5, 0.5, -0.2, 0.2}) {
-            const double steering = part * car_.max_steer();
-            before = lists.here;
+            Move arc = {direction, part * car_.max_steer(), 0.0, measured, measured, {}};
+            lists.before = lists.here;
+            for (std::size_t k = 0; k < around_.size(); ++k)
+                lists.floors[k] = std::min(0.0, widest(around_[k], lists.here));
             for (int i = 1; i * step <= farthest; ++i) {
-                const double length = i * step;
-                const Pose there = drive(car_, measured, direction, steering, length);
-                gaps_at(there, now);
+                const double before = arc.length;
+                arc.length = i * step;
+                arc.end = drive(car_, measured, direction, arc.steering_angle, arc.length);
                 ++lists.looked;
                 double left = 0.0;
                 bool grows = false;
-                for (std::size_t k = 0; k < now.size(); ++k) {
-                    grows = grows || now[k] < std::min(0.0, before[k]) - grown;
-                    left = std::max(left, -now[k]);
+                for (std::size_t k = 0; k < around_.size() && !grows; ++k) {
+                    const Around& around = around_[k];
+                    gaps_along_edges(around, arc.end, lists.now.data() + around.begin);
+                    grows = !never_deeper(around, arc, before, lists.before.data() + around.begin, arc.length,
+                                          lists.now.data() + around.begin, lists.floors[k], lists.halves.data(),
+                                          lists.looked);
+                    const double gap = widest(around, lists.now);
+                    lists.floors[k] = std::min(0.0, std::max(lists.floors[k], gap));
+                    left = std::max(left, -gap);
                 }
                 if (grows) break;
-                std::swap(before, now);
-                if (left > least - grown && !(left == 0.0 && least == 0.0 && length < shortest)) continue;
+                std::swap(lists.before, lists.now);
+                if (left > least - grown && !(left == 0.0 && least == 0.0 && arc.length < shortest)) continue;
                 least = left;
-                shortest = length;
-                best = {Instruction::overlap, {direction, steering, length, measured, there, {}}, 0};
+                shortest = arc.length;
+                best = {Instruction::overlap, arc, 0};
                 if (left == 0.0) break;
             }
         }
     }
     return best;
+}
+
+double Assistant::free_length(const Move& arc) const {
+    const detail::Path path = {arc.start, angles::tan(arc.steering_angle) / car_.wheelbase(),
+                               arc.direction == Direction::forward ? 1.0 : -1.0, arc.length};
+    double least = detail::never;
+    for (const Around& around : around_)
+        least = std::min(least, detail::first_contact(around.shape, path, around.solid, limits::touching));
+    return least;
 }
 
 Assistant::Arc Assistant::short_way(const Pose& measured, std::optional<Direction> driven, int most_changes,
@@ -311,7 +410,8 @@ Assistant::Arc Assistant::short_way(const Pose& measured, std::optional<Directio
         const int turn = driven && *driven != direction ? 1 : 0;
         for (const double part : {0.0, -1.0, 1.0, -0.5, 0.5, -0.2, 0.2}) {
             const double steering = part * map_.car().max_steer();
-            for (double length = step; length <= farthest; length += step) {
+            const double goes = free_length({direction, steering, farthest, measured, measured, {}});
+            for (double length = step; length <= std::min(farthest, goes); length += step) {
                 const Pose there = drive(car_, measured, direction, steering, length);
                 const double left = nearest(there);
                 ++lists.looked;

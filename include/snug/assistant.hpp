@@ -84,8 +84,8 @@ public:
     /// the map knows no way, as when the car stands closer to something than the margin (but does not overlap it): an arc on which
     /// at least half of the distance is left that the car has (a corner swings out before the car is away), or failing that one that
     /// ends by 1 cm or more farther away. Where the pose measured
-    /// overlaps something the way out is the arc of up to 1 m on which no overlap grows (looked at every 2 cm) and at whose end the
-    /// least is left, the shortest of those; stuck where there is none. So is a pose that is no number or outside of the map.
+    /// overlaps something the way out is the arc of up to 1 m on which no overlap grows (all the way, but for 1 um) and at whose end
+    /// the least is left, the shortest of those; stuck where there is none. So is a pose that is no number or outside of the map.
     [[nodiscard]] Instruction next(const Pose& measured, std::optional<Direction> driven = {}) const;
     /// The same in memory made before, where it stays until the next question.
     [[nodiscard]] const Instruction& next(const Pose& measured, std::optional<Direction> driven,
@@ -104,9 +104,10 @@ private:
     /// What of the car, about its rear axle, keeps from what of the place.
     struct Around {
         std::vector<Point> shape, solid;
-        std::size_t obstacle = 0;
-        Point low, high;     ///< corners of a box around the solid
-        double reach = 0.0;  ///< of the shape's farthest corner from the rear axle
+        std::vector<Point> shape_normals, solid_normals;  ///< outward, of the edges that begin at the corners
+        std::size_t begin = 0;                            ///< of the gaps along its edges, in a list of those of all
+        Point low, high;                                  ///< corners of a box around the solid
+        double reach = 0.0;                               ///< of the shape's farthest corner from the rear axle
     };
     struct Arc {
         Instruction::What what = Instruction::stuck;
@@ -117,11 +118,17 @@ private:
     [[nodiscard]] Arc way_out(const Pose& measured, Lists& lists) const;
     [[nodiscard]] Arc short_way(const Pose& measured, std::optional<Direction> driven, int most_changes,
                                 Lists& lists) const;
+    /// Until it touches something, infinite if it does not within the arc.
+    [[nodiscard]] double free_length(const Move& arc) const;
     void settle(Move& last, std::size_t& looked) const;
     [[nodiscard]] double expected_changes(const Pose& end, Direction driven, std::size_t& looked) const;
     [[nodiscard]] static double gap(const Around& around, const Pose& pose);
     [[nodiscard]] double nearest(const Pose& pose) const;
-    void gaps_at(const Pose& pose, std::vector<double>& gaps) const;
+    static void gaps_along_edges(const Around& around, const Pose& pose, double* gaps);
+    /// On a part of an arc, of which the gaps at both ends are given: does the overlap stay at most that of the gap `floor`?
+    [[nodiscard]] bool never_deeper(const Around& around, const Move& arc, double from, const double* gaps_from,
+                                    double to, const double* gaps_to, double floor, double* room,
+                                    std::size_t& looked) const;
 
     Car car_;
     Place place_;
