@@ -175,6 +175,7 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
     const bool forward = direction == Direction::forward;
     const int step = forward ? 1 : -1;
     std::vector<Interval> found, rooms, clipped;
+    std::vector<Span> reached(set.spans.rows.size());
     Span live, live_before, live_before_that;  // what was reached in this row and in those before
     for (int n = 0; n <= last_row - first_row; ++n) {
         const int row = forward ? set.spans.first + n : set.spans.last() - n;
@@ -250,7 +251,21 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
             if (live.empty()) live.from = cell;
             live.to = cell;
         }
+        reached[static_cast<std::size_t>(row - set.spans.first)] = live;
     }
+    // Many sets are kept: what was not reached takes no room.
+    Spans kept;
+    kept.first = set.spans.first;
+    kept.rows = std::move(reached);
+    kept.store();
+    for (int row = kept.first; row <= kept.last(); ++row) {
+        const Span from = set.spans.of(row), to = kept.of(row);
+        for (int cell = to.from; cell <= to.to; ++cell) set.of[to.at(cell)] = set.of[from.at(cell)];
+    }
+    set.spans = std::move(kept);
+    set.of.resize(set.spans.cells);
+    set.of.shrink_to_fit();
+    set.intervals.shrink_to_fit();
     return set;
 }
 

@@ -17,6 +17,36 @@ constexpr Micro coarse_grid = 512;      ///< to which direction changes are roun
 Micro rounded_up(double metres) { return static_cast<Micro>(std::ceil(metres / micro + 1e-3)); }
 Micro rounded_down(double metres) { return static_cast<Micro>(std::floor(metres / micro - 1e-3)); }
 
+/// A layer made cell by cell, row after row.
+class LayerBuilder {
+public:
+    [[nodiscard]] bool empty() const { return layer_.low.empty(); }
+    void add(int row, int cell, Micro low, Micro high) {
+        Spans& spans = layer_.spans;
+        if (empty()) spans.first = row;
+        while (spans.last() < row) spans.rows.push_back({0, -1, layer_.low.size()});
+        Span& span = spans.rows.back();
+        if (span.empty()) span = {cell, cell - 1, span.begin};
+        for (; span.to < cell; ++span.to) {
+            layer_.low.push_back(nowhere);
+            layer_.high.push_back(-nowhere);
+        }
+        layer_.low.back() = low;
+        layer_.high.back() = high;
+    }
+    Layer done() {
+        layer_.spans.cells = layer_.low.size();
+        layer_.low.resize(layer_.spans.cells + vector_padding, nowhere);
+        layer_.high.resize(layer_.spans.cells + vector_padding, -nowhere);
+        layer_.low.shrink_to_fit();
+        layer_.high.shrink_to_fit();
+        return std::move(layer_);
+    }
+
+private:
+    Layer layer_;
+};
+
 double clamped(double sine) { return std::clamp(sine, -steepest_sine, steepest_sine); }
 double tangent_of(double sine) { return sine / cosine_of(sine); }
 
@@ -167,12 +197,7 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const 
         first_row = std::max(first_row, 2 * coarser->spans.first);
         last_row = std::min(last_row, 2 * coarser->spans.last() + 2);
     }
-    struct Found {
-        int row, cell;
-        bool parked;
-        Micro low, high;
-    };
-    std::vector<Found> found[most_layers], found_parked[most_layers];
+    LayerBuilder found[most_layers], found_parked[most_layers];
     std::vector<Interval> taken, gaps;
     for (int row = first_row; row <= last_row; ++row) {
         watch();
@@ -240,107 +265,63 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const 
             double parked_low = 0.0, parked_high = 0.0;
             bands.parked.at(here, parked_low, parked_high);
             for (std::size_t k = 0; k < gaps.size(); ++k) {
-                found[k].push_back({row, cell_of(d), false, rounded_down(gaps[k].low), rounded_up(gaps[k].high)});
+                found[k].add(row, cell_of(d), rounded_down(gaps[k].low), rounded_up(gaps[k].high));
                 const double from_y = std::max(parked_low, gaps[k].low), to_y = std::min(parked_high, gaps[k].high);
-                if (from_y <= to_y)
-                    found_parked[k].push_back({row, cell_of(d), true, rounded_down(from_y), rounded_up(to_y)});
+                if (from_y <= to_y) found_parked[k].add(row, cell_of(d), rounded_down(from_y), rounded_up(to_y));
             }
         }
     }
-    const auto layered = [](const std::vector<Found>& cells) {
-        Layer layer;
-        if (!cells.empty()) {
-            layer.spans.first = cells.front().row;
-            layer.spans.rows.resize(static_cast<std::size_t>(cells.back().row - cells.front().row) + 1);
-        }
-        for (const Found& cell : cells) {
-            Span& span = layer.spans.rows[static_cast<std::size_t>(cell.row - layer.spans.first)];
-            if (span.empty()) span.from = cell.cell;
-            span.to = cell.cell;
-        }
-        layer.spans.store();
-        layer.low.assign(layer.spans.cells + vector_padding, nowhere);
-        layer.high.assign(layer.spans.cells + vector_padding, -nowhere);
-        for (const Found& cell : cells) {
-            const std::size_t i = layer.spans.of(cell.row).at(cell.cell);
-            layer.low[i] = cell.low;
-            layer.high[i] = cell.high;
-        }
-        return layer;
-    };
     for (std::size_t k = 0; k < most_layers && !found[k].empty(); ++k) {
-        free_.push_back(layered(found[k]));
-        parked_.push_back(layered(found_parked[k]));
+        free_.push_back(found[k].done());
+        parked_.push_back(found_parked[k].done());
     }
 }
 
 Limits OuterLattice::clipped(const Limits& coarser) const {
     Limits limits;
     for (const Layer& layer : free_) {
-        Layer mine;
-        mine.spans = layer.spans;
-        mine.low.assign(layer.low.size(), nowhere);
-        mine.high.assign(layer.high.size(), -nowhere);
+        LayerBuilder mine;
         for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
             const Span span = layer.spans.of(row);
             for (int cell = span.from; cell <= span.to; ++cell) {
-                const std::size_t at = span.at(cell);
-                if (layer.low[at] > layer.high[at]) continue;
+                const Micro free_low = layer.low[span.at(cell)], free_high = layer.high[span.at(cell)];
+                if (free_low > free_high) continue;
                 const int d = column_of(row, cell);
                 const int i = ((row - d) / 2) >> 1, j = ((row + d) / 2) >> 1;
+                Micro low = nowhere, high = -nowhere;
                 for (const Layer& parent : coarser) {
                     const Span parents = parent.spans.of(i + j);
                     const int parent_cell = cell_of(j - i);
                     if (parent_cell < parents.from || parent_cell > parents.to) continue;
-                    const Micro low = std::max(layer.low[at], parent.low[parents.at(parent_cell)]);
-                    const Micro high = std::min(layer.high[at], parent.high[parents.at(parent_cell)]);
-                    if (low > high) continue;
-                    mine.low[at] = std::min(mine.low[at], low);
-                    mine.high[at] = std::max(mine.high[at], high);
+                    const Micro from = std::max(free_low, parent.low[parents.at(parent_cell)]);
+                    const Micro to = std::min(free_high, parent.high[parents.at(parent_cell)]);
+                    if (from > to) continue;
+                    low = std::min(low, from);
+                    high = std::max(high, to);
                 }
+                if (low <= high) mine.add(row, cell, low, high);
             }
         }
-        limits.push_back(std::move(mine));
+        limits.push_back(mine.done());
     }
-    return trimmed(limits);
+    return limits;
 }
 
-Limits trimmed(const Limits& limits) {
-    Limits all;
-    for (const Layer& layer : limits) {
-        Layer mine;
-        int first = 0, last = -1;
-        std::vector<Span> spans;
-        for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
-            const Span span = layer.spans.of(row);
-            Span live;
-            for (int cell = span.from; cell <= span.to; ++cell) {
-                if (layer.low[span.at(cell)] > layer.high[span.at(cell)]) continue;
-                if (live.empty()) live.from = cell;
-                live.to = cell;
-            }
-            if (!live.empty()) {
-                if (first > last) first = row;
-                last = row;
-            }
-            spans.push_back(live);
+Pairs laid_out(const Pairs& pairs, const Limits& limits, const Limits& part) {
+    Pairs all;
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+        const Spans& spans = part[k].spans;
+        Pairs::Of mine{std::vector<Micro>(spans.cells + vector_padding, -nowhere),
+                       std::vector<Micro>(spans.cells + vector_padding, nowhere)};
+        for (int row = spans.first; row <= spans.last(); ++row) {
+            const Span span = spans.of(row);
+            if (span.empty()) continue;
+            const auto from = static_cast<std::ptrdiff_t>(limits[k].spans.of(row).at(span.from));
+            const auto to = static_cast<std::ptrdiff_t>(span.begin), count = std::ptrdiff_t(span.to) - span.from + 1;
+            std::copy_n(pairs.layers[k].z.begin() + from, count, mine.z.begin() + to);
+            std::copy_n(pairs.layers[k].w.begin() + from, count, mine.w.begin() + to);
         }
-        if (first <= last) {
-            mine.spans.first = first;
-            mine.spans.rows.assign(spans.begin() + (first - layer.spans.first),
-                                   spans.begin() + (last - layer.spans.first) + 1);
-        }
-        mine.spans.store();
-        mine.low.assign(mine.spans.cells + vector_padding, nowhere);
-        mine.high.assign(mine.spans.cells + vector_padding, -nowhere);
-        for (int row = first; row <= last; ++row) {
-            const Span from = layer.spans.of(row), to = mine.spans.of(row);
-            for (int cell = to.from; cell <= to.to; ++cell) {
-                mine.low[to.at(cell)] = layer.low[from.at(cell)];
-                mine.high[to.at(cell)] = layer.high[from.at(cell)];
-            }
-        }
-        all.push_back(std::move(mine));
+        all.layers.push_back(std::move(mine));
     }
     return all;
 }
@@ -548,29 +529,26 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
     }
 }
 
-Limits OuterLattice::common(const Pairs& one, Direction direction, const Pairs& other, const Limits& limits) const {
+Limits OuterLattice::within(const Pairs& pairs, const Limits& limits, Direction direction) const {
     const Numbers& of = numbers(direction);
-    const Numbers& of_other = numbers(direction == Direction::forward ? Direction::backward : Direction::forward);
-    Limits all = limits;
+    Limits all;
     for (std::size_t k = 0; k < limits.size(); ++k) {
-        Layer& layer = all[k];
+        const Layer& layer = limits[k];
+        LayerBuilder mine;
         for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
             const Span span = layer.spans.of(row);
             for (int cell = span.from; cell <= span.to; ++cell) {
                 const std::size_t at = span.at(cell);
-                if (one.layers[k].z[at] == -nowhere || other.layers[k].z[at] == -nowhere) {
-                    layer.low[at] = nowhere;
-                    layer.high[at] = -nowhere;
-                    continue;
-                }
-                layer.low[at] = std::max({layer.low[at], one.layers[k].w[at] + *of.down.at(row, cell),
-                                          other.layers[k].w[at] + *of_other.down.at(row, cell)});
-                layer.high[at] = std::min({layer.high[at], one.layers[k].z[at] + *of.up.at(row, cell),
-                                           other.layers[k].z[at] + *of_other.up.at(row, cell)});
+                const Micro z = pairs.layers[k].z[at], w = pairs.layers[k].w[at];
+                if (z == -nowhere) continue;
+                const Micro low = std::max(layer.low[at], w + *of.down.at(row, cell));
+                const Micro high = std::min(layer.high[at], z + *of.up.at(row, cell));
+                if (low <= high) mine.add(row, cell, low, high);
             }
         }
+        all.push_back(mine.done());
     }
-    return trimmed(all);
+    return all;
 }
 
 BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,

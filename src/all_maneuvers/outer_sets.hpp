@@ -90,6 +90,9 @@ struct Pairs {
     std::vector<Of> layers;
 };
 
+/// Pairs beside limits, beside a part of these.
+Pairs laid_out(const Pairs& pairs, const Limits& limits, const Limits& part);
+
 inline Direction other(Direction direction) {
     return direction == Direction::forward ? Direction::backward : Direction::forward;
 }
@@ -114,8 +117,6 @@ struct ColumnNumbers {
     [[nodiscard]] const Micro* at(int row, int cell) const { return of[row & 1].data() + (cell - first_cell); }
 };
 
-/// Without rows and cells that have none at the rim.
-Limits trimmed(const Limits& limits);
 /// The hull of several in every cell.
 Layer hull(const std::vector<const Limits*>& several);
 
@@ -159,8 +160,8 @@ public:
     [[nodiscard]] bool holds_start(const Pairs& pairs, const Limits& limits, Direction direction) const {
         return holds(pairs, limits, direction, start_);
     }
-    /// The places as intervals of y that lie in both.
-    [[nodiscard]] Limits common(const Pairs& one, Direction direction, const Pairs& other, const Limits& limits) const;
+    /// The limits cut down to what the pairs hold.
+    [[nodiscard]] Limits within(const Pairs& pairs, const Limits& limits, Direction direction) const;
     /// The free intervals, clipped to what is left of the lattice twice as coarse.
     [[nodiscard]] Limits clipped(const Limits& coarser) const;
 

@@ -56,65 +56,66 @@ std::size_t bytes_of(const Limits& limits) {
 
 /// More memory would be needed than anybody expects; what is known by then stands.
 struct TooLarge {};
-constexpr std::size_t most_bytes = 300'000'000;  ///< of sets; ways along them take as much again
+constexpr std::size_t most_bytes = 260'000'000;  ///< of sets, while they are computed
+
+/// The move that begins with the pairs; the limits are cut down to what it reaches.
+Pairs driven(const OuterLattice& lattice, Pairs pairs, Limits& limits, Direction direction, const Watching& watch) {
+    lattice.sweep(pairs, limits, direction, watch);
+    Limits cut = lattice.within(pairs, limits, direction);
+    Pairs kept = laid_out(pairs, limits, cut);
+    limits = std::move(cut);
+    return kept;
+}
 
 /// From what is left of the lattice twice as coarse to what is left of this one; nothing when the start is out of reach.
-/// Throws TooLarge.
-std::optional<Left> refined(const ChartPlace& place, double h0, const Left& coarse, ParkBounds& bounds,
+/// Throws TooLarge when it is not, but what is left cannot be kept.
+std::optional<Left> refined(const ChartPlace& place, double h0, Left coarse, ParkBounds& bounds,
                             const Watching& watch) {
     const double h = coarse.h / 2.0;
     const std::size_t moves = coarse.moves.forward.size();
-    // Each cell has up to four children. They are held as limits, as what is reached from the parked poses and as what is left.
-    std::size_t before = 0;
-    for (const Direction direction : both_directions)
-        for (const Limits& left : coarse.moves.of(direction)) before += bytes_of(left);
-    if (before * 4 * 2 > most_bytes) throw TooLarge{};
     const OuterLattice lattice(place, h, h0, &coarse.hull_of_all, watch);
-    BothWays<Limits> limits;
-    for (const Direction direction : both_directions)
-        for (const Limits& left : coarse.moves.of(direction)) limits.of(direction).push_back(lattice.clipped(left));
-    // Outward from the parked poses, then from the start: what is in both is left.
-    BothWays<Pairs> out, in;
+    BothWays<Limits>& left = coarse.moves;
+    BothWays<Pairs> now, before;
+    // Outward from the parked poses.
+    std::size_t bytes = bytes_of(lattice.free());
+    bool all_kept = true;
     for (std::size_t k = 0; k < moves; ++k) {
         for (const Direction direction : both_directions) {
-            const Limits& mine = limits.of(direction)[k];
+            Limits& mine = left.of(direction)[k];
+            mine = lattice.clipped(mine);
             Pairs pairs = k == 0 ? lattice.begin(lattice.parked(), mine, direction)
-                                 : lattice.turn(out.of(other(direction))[k - 1], limits.of(other(direction))[k - 1],
+                                 : lattice.turn(before.of(other(direction)).front(), left.of(other(direction))[k - 1],
                                                 mine, direction);
-            lattice.sweep(pairs, mine, direction, watch);
-            out.of(direction).push_back(std::move(pairs));
+            now.of(direction).push_back(driven(lattice, std::move(pairs), mine, direction, watch));
+            bytes += bytes_of(mine);
+            // Beside what is kept there are two moves each way.
+            all_kept = all_kept && bytes + 4 * bytes_of(mine) <= most_bytes;
         }
+        before = std::exchange(now, {});
+        if (all_kept) continue;
+        for (const Direction direction : both_directions) std::fill_n(left.of(direction).begin(), k, Limits{});
     }
     bool reached = false;
     for (const Direction direction : both_directions)
-        reached = reached || lattice.holds_start(out.of(direction).back(), limits.of(direction).back(), direction);
+        reached = reached || lattice.holds_start(before.of(direction).front(), left.of(direction).back(), direction);
     bounds.updates += std::exchange(lattice.updates, 0);
     if (!reached) return std::nullopt;
-    // Driving forward when leaving is driving backward when parking, and move k is the last but k.
-    Left left;
-    left.h = h;
-    for (const Direction direction : both_directions) left.moves.of(direction).resize(moves);
+    if (!all_kept) throw TooLarge{};
+    // Then from the start. Driving forward when leaving is driving backward when parking, and move k is the last but k.
     for (std::size_t k = moves; k-- > 0;) {
-        BothWays<Pairs> now;
         for (const Direction direction : both_directions) {
-            const Limits& mine = limits.of(other(direction))[k];
+            Limits& mine = left.of(other(direction))[k];
             Pairs pairs = k + 1 == moves ? lattice.begin_at_start(mine, direction)
-                                         : lattice.turn(in.of(other(direction)).front(), limits.of(direction)[k + 1],
+                                         : lattice.turn(before.of(other(direction)).front(), left.of(direction)[k + 1],
                                                         mine, direction);
-            lattice.sweep(pairs, mine, direction, watch);
-            left.moves.of(other(direction))[k] =
-                lattice.common(out.of(other(direction))[k], other(direction), pairs, mine);
-            now.of(direction).push_back(std::move(pairs));
+            now.of(direction).push_back(driven(lattice, std::move(pairs), mine, direction, watch));
         }
-        in = std::move(now);
-        for (const Direction direction : both_directions) {  // no longer needed
-            out.of(direction).pop_back();
-            if (k + 1 < moves) limits.of(direction).pop_back();
-        }
+        before = std::exchange(now, {});
     }
-    left.hull_of_all = hull_of(left.moves);
     bounds.updates += lattice.updates;
-    return left;
+    coarse.h = h;
+    coarse.hull_of_all = hull_of(left);
+    return coarse;
 }
 
 /// The place for a car that is larger by so much on every side.
@@ -288,10 +289,10 @@ std::optional<int> changes_along(const ChartPlace& place, double h, double h0, c
     return changes;
 }
 
-constexpr int tried_above = 2;                 ///< counts above the lower bound for which a lattice looks for a way
-constexpr int far_above = 40;                  ///< and how far the coarse ones look for where to begin
-constexpr int many_changes = 20;               ///< from so many on finer lattices count first
-constexpr std::size_t soon_done = 80'000'000;  ///< cells computed, when halving the finest spacing again takes seconds
+constexpr int tried_above = 2;                  ///< counts above the lower bound for which a lattice looks for a way
+constexpr int far_above = 40;                   ///< and how far the coarse ones look for where to begin
+constexpr int many_changes = 20;                ///< from so many on finer lattices count first
+constexpr std::size_t soon_done = 400'000'000;  ///< cells computed, when halving the finest spacing again takes seconds
 
 /// Places that want the car parked better: close to the parked heading, and well inside; the last is as asked.
 std::vector<ChartPlace> better_parked(const ChartPlace& place, double h) {
@@ -407,11 +408,14 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         deepen(in, true);
         Left left;
         left.h = h0;
-        for (const Direction direction : both_directions)
-            for (std::size_t k = 0; k <= static_cast<std::size_t>(changes); ++k)
-                left.moves.of(direction).push_back(
-                    lattice.common(out.of(direction)[k], direction,
-                                   in.of(other(direction))[static_cast<std::size_t>(changes) - k], lattice.free()));
+        const auto last = static_cast<std::size_t>(changes);
+        for (const Direction direction : both_directions) {
+            for (std::size_t k = 0; k <= last; ++k) {
+                const Limits reached = lattice.within(out.of(direction)[k], lattice.free(), direction);
+                const Pairs back = laid_out(in.of(other(direction))[last - k], lattice.free(), reached);
+                left.moves.of(direction).push_back(lattice.within(back, reached, other(direction)));
+            }
+        }
         left.hull_of_all = hull_of(left.moves);
         return left;
     };
@@ -429,7 +433,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     double found_at = h0;  ///< spacing of the lattice that has the way
     const auto left_for = [&](int changes, double h) {
         std::optional<Left> left = left_with(changes);
-        while (left && left->h > 1.001 * h) left = refined(question.place, h0, *left, bounds, watch);
+        while (left && left->h > 1.001 * h) left = refined(question.place, h0, std::move(*left), bounds, watch);
         return left;
     };
     const auto driven_at = [&](int changes, double h) {
