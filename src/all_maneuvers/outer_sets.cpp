@@ -21,6 +21,10 @@ Micro rounded_down(double metres) { return static_cast<Micro>(std::floor(metres 
 class LayerBuilder {
 public:
     [[nodiscard]] bool empty() const { return layer_.low.empty(); }
+    void expect(std::size_t cells) {
+        layer_.low.reserve(cells + vector_padding);
+        layer_.high.reserve(cells + vector_padding);
+    }
     void add(int row, int cell, Micro low, Micro high) {
         Spans& spans = layer_.spans;
         if (empty()) spans.first = row;
@@ -198,6 +202,9 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const 
         last_row = std::min(last_row, 2 * coarser->spans.last() + 2);
     }
     LayerBuilder found[most_layers], found_parked[most_layers];
+    if (!coarser)
+        found[0].expect(static_cast<std::size_t>(last_row - first_row + 1) *
+                        static_cast<std::size_t>(last_column - first_column + 2) / 2);
     std::vector<Interval> taken, gaps;
     for (int row = first_row; row <= last_row; ++row) {
         watch();
