@@ -73,6 +73,8 @@ std::optional<Left> refined(const ChartPlace& place, double h0, Left coarse, Par
                             const Watching& watch) {
     const double h = coarse.h / 2.0;
     const std::size_t moves = coarse.moves.forward.size();
+    // Each cell has four children. What is free in them, and two moves each way, are held beside what is kept.
+    if (4 * bytes_of({coarse.hull_of_all}) > most_bytes / 2) throw TooLarge{};
     const OuterLattice lattice(place, h, h0, &coarse.hull_of_all, watch);
     BothWays<Limits>& left = coarse.moves;
     BothWays<Pairs> now, before;
@@ -88,7 +90,6 @@ std::optional<Left> refined(const ChartPlace& place, double h0, Left coarse, Par
                                                 mine, direction);
             now.of(direction).push_back(driven(lattice, std::move(pairs), mine, direction, watch));
             bytes += bytes_of(mine);
-            // Beside what is kept there are two moves each way.
             all_kept = all_kept && bytes + 4 * bytes_of(mine) <= most_bytes;
         }
         before = std::exchange(now, {});
