@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "all_maneuvers/layer_builder.hpp"
 #include "all_maneuvers/set_sweep.hpp"
 #include "model/angles.hpp"
 
@@ -17,97 +18,10 @@ constexpr Micro coarse_grid = 512;      ///< to which direction changes are roun
 Micro rounded_up(double metres) { return static_cast<Micro>(std::ceil(metres / micro + 1e-3)); }
 Micro rounded_down(double metres) { return static_cast<Micro>(std::floor(metres / micro - 1e-3)); }
 
-/// A layer made cell by cell, row after row.
-class LayerBuilder {
-public:
-    [[nodiscard]] bool empty() const { return layer_.low.empty(); }
-    void expect(std::size_t cells) {
-        layer_.low.reserve(cells + vector_padding);
-        layer_.high.reserve(cells + vector_padding);
-    }
-    void add(int row, int cell, Micro low, Micro high) {
-        Spans& spans = layer_.spans;
-        if (empty()) spans.first = row;
-        while (spans.last() < row) spans.rows.push_back({0, -1, layer_.low.size()});
-        Span& span = spans.rows.back();
-        if (span.empty()) span = {cell, cell - 1, span.begin};
-        for (; span.to < cell; ++span.to) {
-            layer_.low.push_back(nowhere);
-            layer_.high.push_back(-nowhere);
-        }
-        layer_.low.back() = low;
-        layer_.high.back() = high;
-    }
-    Layer done() {
-        layer_.spans.cells = layer_.low.size();
-        layer_.low.resize(layer_.spans.cells + vector_padding, nowhere);
-        layer_.high.resize(layer_.spans.cells + vector_padding, -nowhere);
-        layer_.low.shrink_to_fit();
-        layer_.high.shrink_to_fit();
-        return std::move(layer_);
-    }
-
-private:
-    Layer layer_;
-};
-
 double clamped(double sine) { return std::clamp(sine, -steepest_sine, steepest_sine); }
 double tangent_of(double sine) { return sine / cosine_of(sine); }
 
 }  // namespace
-
-void Spans::store() {
-    cells = 0;
-    for (Span& span : rows) {
-        span.begin = cells;
-        if (!span.empty()) cells += static_cast<std::size_t>(span.to - span.from) + 1;
-    }
-}
-
-Layer hull(const std::vector<const Limits*>& several) {
-    Layer all;
-    int first = 0, last = -1;
-    for (const Limits* limits : several) {
-        for (const Layer& layer : *limits) {
-            if (layer.spans.rows.empty()) continue;
-            if (first > last) {
-                first = layer.spans.first;
-                last = layer.spans.last();
-            }
-            first = std::min(first, layer.spans.first);
-            last = std::max(last, layer.spans.last());
-        }
-    }
-    all.spans.first = first;
-    all.spans.rows.resize(static_cast<std::size_t>(last - first) + 1);
-    const auto each = [&](auto&& act) {
-        for (const Limits* limits : several)
-            for (const Layer& layer : *limits)
-                for (int row = layer.spans.first; row <= layer.spans.last(); ++row)
-                    if (const Span span = layer.spans.of(row); !span.empty()) act(layer, row, span);
-    };
-    each([&](const Layer&, int row, const Span& span) {
-        Span& mine = all.spans.rows[static_cast<std::size_t>(row - first)];
-        if (mine.empty()) {
-            mine = span;
-        } else {
-            mine.from = std::min(mine.from, span.from);
-            mine.to = std::max(mine.to, span.to);
-        }
-    });
-    all.spans.store();
-    all.low.assign(all.spans.cells + vector_padding, nowhere);
-    all.high.assign(all.spans.cells + vector_padding, -nowhere);
-    each([&](const Layer& layer, int row, const Span& span) {
-        const Span mine = all.spans.of(row);
-        for (int cell = span.from; cell <= span.to; ++cell) {
-            const std::size_t i = mine.at(cell);
-            all.low[i] = std::min(all.low[i], layer.low[span.at(cell)]);
-            all.high[i] = std::max(all.high[i], layer.high[span.at(cell)]);
-        }
-    });
-    return all;
-}
 
 OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch)
     : h_(h), radius_(place.radius), sine_step_(h / (2.0 * place.radius)), start_(place.start) {
@@ -282,55 +196,6 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const 
         free_.push_back(found[k].done());
         parked_.push_back(found_parked[k].done());
     }
-}
-
-Limits OuterLattice::clipped(const Limits& coarser) const {
-    Limits limits;
-    for (const Layer& layer : free_) {
-        LayerBuilder mine;
-        for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
-            const Span span = layer.spans.of(row);
-            for (int cell = span.from; cell <= span.to; ++cell) {
-                const Micro free_low = layer.low[span.at(cell)], free_high = layer.high[span.at(cell)];
-                if (free_low > free_high) continue;
-                const int d = column_of(row, cell);
-                const int i = ((row - d) / 2) >> 1, j = ((row + d) / 2) >> 1;
-                Micro low = nowhere, high = -nowhere;
-                for (const Layer& parent : coarser) {
-                    const Span parents = parent.spans.of(i + j);
-                    const int parent_cell = cell_of(j - i);
-                    if (parent_cell < parents.from || parent_cell > parents.to) continue;
-                    const Micro from = std::max(free_low, parent.low[parents.at(parent_cell)]);
-                    const Micro to = std::min(free_high, parent.high[parents.at(parent_cell)]);
-                    if (from > to) continue;
-                    low = std::min(low, from);
-                    high = std::max(high, to);
-                }
-                if (low <= high) mine.add(row, cell, low, high);
-            }
-        }
-        limits.push_back(mine.done());
-    }
-    return limits;
-}
-
-Pairs laid_out(const Pairs& pairs, const Limits& limits, const Limits& part) {
-    Pairs all;
-    for (std::size_t k = 0; k < limits.size(); ++k) {
-        const Spans& spans = part[k].spans;
-        Pairs::Of mine{std::vector<Micro>(spans.cells + vector_padding, -nowhere),
-                       std::vector<Micro>(spans.cells + vector_padding, nowhere)};
-        for (int row = spans.first; row <= spans.last(); ++row) {
-            const Span span = spans.of(row);
-            if (span.empty()) continue;
-            const auto from = static_cast<std::ptrdiff_t>(limits[k].spans.of(row).at(span.from));
-            const auto to = static_cast<std::ptrdiff_t>(span.begin), count = std::ptrdiff_t(span.to) - span.from + 1;
-            std::copy_n(pairs.layers[k].z.begin() + from, count, mine.z.begin() + to);
-            std::copy_n(pairs.layers[k].w.begin() + from, count, mine.w.begin() + to);
-        }
-        all.layers.push_back(std::move(mine));
-    }
-    return all;
 }
 
 Pairs OuterLattice::none(const Limits& limits) const {
@@ -534,28 +399,6 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
             std::copy_n(now.w.begin() + from, count, mine.w.begin() + (mine.live.from - first_cell));
         }
     }
-}
-
-Limits OuterLattice::within(const Pairs& pairs, const Limits& limits, Direction direction) const {
-    const Numbers& of = numbers(direction);
-    Limits all;
-    for (std::size_t k = 0; k < limits.size(); ++k) {
-        const Layer& layer = limits[k];
-        LayerBuilder mine;
-        for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
-            const Span span = layer.spans.of(row);
-            for (int cell = span.from; cell <= span.to; ++cell) {
-                const std::size_t at = span.at(cell);
-                const Micro z = pairs.layers[k].z[at], w = pairs.layers[k].w[at];
-                if (z == -nowhere) continue;
-                const Micro low = std::max(layer.low[at], w + *of.down.at(row, cell));
-                const Micro high = std::min(layer.high[at], z + *of.up.at(row, cell));
-                if (low <= high) mine.add(row, cell, low, high);
-            }
-        }
-        all.push_back(mine.done());
-    }
-    return all;
 }
 
 BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,
