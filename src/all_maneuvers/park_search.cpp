@@ -48,9 +48,10 @@ Layer hull_of(const BothWays<Limits>& moves) {
     return hull(several);
 }
 
+std::size_t bytes_of(const Layer& layer) { return (layer.low.size() + layer.high.size()) * sizeof(Micro); }
 std::size_t bytes_of(const Limits& limits) {
     std::size_t bytes = 0;
-    for (const Layer& layer : limits) bytes += (layer.low.size() + layer.high.size()) * sizeof(Micro);
+    for (const Layer& layer : limits) bytes += bytes_of(layer);
     return bytes;
 }
 
@@ -74,7 +75,7 @@ std::optional<Left> refined(const ChartPlace& place, double h0, Left coarse, Par
     const double h = coarse.h / 2.0;
     const std::size_t moves = coarse.moves.forward.size();
     // Each cell has four children. What is free in them, and two moves each way, are held beside what is kept.
-    if (4 * bytes_of({coarse.hull_of_all}) > most_bytes / 2) throw TooLarge{};
+    if (4 * bytes_of(coarse.hull_of_all) > most_bytes / 2) throw TooLarge{};
     const OuterLattice lattice(place, h, h0, &coarse.hull_of_all, watch);
     BothWays<Limits>& left = coarse.moves;
     BothWays<Pairs> now, before;
