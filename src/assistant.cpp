@@ -93,7 +93,7 @@ std::vector<Point> outward_normals(const std::vector<Point>& corners) {
     return normals;
 }
 
-constexpr std::size_t times_halved = 8;  ///< 2 cm of a way out, until it is shown that nothing grows
+constexpr int most_halvings = 8;  ///< of 2 cm of a way out, until it is shown that nothing grows
 
 AssistantOptions of_street(const Street& street, AssistantOptions options) {
     if (!options.heading) options.heading = street.heading;
@@ -122,7 +122,7 @@ void AssistantMemory::Lists::reserve(const Assistant& assistant) {
     }
     for (std::vector<double>* gaps : {&here, &before, &now}) gaps->resize(all);
     floors.resize(assistant.around_.size());
-    halves.resize(times_halved * most);
+    halves.resize(most_halvings * most);
 }
 
 AssistantMemory::AssistantMemory(const Assistant& assistant) : lists_(std::make_unique<Lists>()) {
@@ -315,9 +315,9 @@ void Assistant::answer(const Pose& measured, std::optional<Direction> driven, Li
 /// derivative of at most curvature^2 times its distance from the arc's centre. So in between it is at least the lesser of those at
 /// the ends less an eighth of that times length^2, and the widest gap is at least the greatest of these.
 bool Assistant::never_deeper(const Around& around, const Move& arc, double from, const double* gaps_from, double to,
-                             const double* gaps_to, double floor, double* room, std::size_t& looked) const {
+                             const double* gaps_to, double floor, int halvings, double* room,
+                             std::size_t& looked) const {
     constexpr double tolerance = 2e-7;  // [m]
-    constexpr double shortest = 1e-4;   // [m]
     const std::size_t edges = around.shape.size() + around.solid.size();
     double surely = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < edges; ++i) surely = std::max(surely, std::min(gaps_from[i], gaps_to[i]));
@@ -329,13 +329,13 @@ bool Assistant::never_deeper(const Around& around, const Move& arc, double from,
                           std::max(std::abs(around.low.y - arc.start.y), std::abs(around.high.y - arc.start.y)));
     const double sag = (curvature + curvature * curvature * off) * length * length / 8.0;
     if (surely - sag >= floor - tolerance) return true;
-    if (length < shortest) return false;
+    if (halvings == 0) return false;
     const double middle = (from + to) / 2.0;
     gaps_along_edges(around, drive(car_, arc.start, arc.direction, arc.steering_angle, middle), room);
     ++looked;
     if (*std::max_element(room, room + edges) < floor - tolerance) return false;
-    return never_deeper(around, arc, from, gaps_from, middle, room, floor, room + edges, looked) &&
-           never_deeper(around, arc, middle, room, to, gaps_to, floor, room + edges, looked);
+    return never_deeper(around, arc, from, gaps_from, middle, room, floor, halvings - 1, room + edges, looked) &&
+           never_deeper(around, arc, middle, room, to, gaps_to, floor, halvings - 1, room + edges, looked);
 }
 
 Assistant::Arc Assistant::way_out(const Pose& measured, Lists& lists) const {
@@ -366,8 +366,8 @@ Assistant::Arc Assistant::way_out(const Pose& measured, Lists& lists) const {
                     const Around& around = around_[k];
                     gaps_along_edges(around, arc.end, lists.now.data() + around.begin);
                     grows = !never_deeper(around, arc, before, lists.before.data() + around.begin, arc.length,
-                                          lists.now.data() + around.begin, lists.floors[k], lists.halves.data(),
-                                          lists.looked);
+                                          lists.now.data() + around.begin, lists.floors[k], most_halvings,
+                                          lists.halves.data(), lists.looked);
                     const double gap = widest(around, lists.now);
                     lists.floors[k] = std::min(0.0, std::max(lists.floors[k], gap));
                     left = std::max(left, -gap);

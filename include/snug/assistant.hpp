@@ -125,9 +125,10 @@ private:
     [[nodiscard]] static double gap(const Around& around, const Pose& pose);
     [[nodiscard]] double nearest(const Pose& pose) const;
     static void gaps_along_edges(const Around& around, const Pose& pose, double* gaps);
-    /// On a part of an arc, of which the gaps at both ends are given: does the overlap stay at most that of the gap `floor`?
+    /// On a part of an arc, of which the gaps at both ends are given: does the overlap stay at most that of the gap `floor`? It may
+    /// be halved so many times; there is room for the gaps of each.
     [[nodiscard]] bool never_deeper(const Around& around, const Move& arc, double from, const double* gaps_from,
-                                    double to, const double* gaps_to, double floor, double* room,
+                                    double to, const double* gaps_to, double floor, int halvings, double* room,
                                     std::size_t& looked) const;
 
     Car car_;
