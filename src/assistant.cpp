@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "all_maneuvers/way_lists.hpp"
+#include "contact/edge_gaps.hpp"
 #include "contact/few.hpp"
 #include "contact/place_contact.hpp"
 #include "model/angles.hpp"
@@ -83,16 +84,6 @@ ParkMap planned_map(const Car& car, const Place& place, const AssistantOptions& 
     return ParkMap(planned_car(car, options.steering_reserve), planned_place(place, options.margin / 2.0), map);
 }
 
-std::vector<Point> outward_normals(const std::vector<Point>& corners) {
-    std::vector<Point> normals;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        const double length = std::hypot(b.x - a.x, b.y - a.y);
-        normals.push_back({(b.y - a.y) / length, (a.x - b.x) / length});
-    }
-    return normals;
-}
-
 constexpr int most_halvings = 8;  ///< of 2 cm of a way out, until it is shown that nothing grows
 
 AssistantOptions of_street(const Street& street, AssistantOptions options) {
@@ -155,8 +146,8 @@ Assistant::Assistant(const Car& car, const Place& place, ParkMap map, const Assi
         Around around = {
             shape.corners(),
             piece.corners,
-            outward_normals(shape.corners()),
-            outward_normals(piece.corners),
+            detail::outward_normals(shape.corners()),
+            detail::outward_normals(piece.corners),
             around_.empty() ? 0 : around_.back().begin + around_.back().shape.size() + around_.back().solid.size(),
             piece.corners[0],
             piece.corners[0]};
@@ -179,26 +170,10 @@ double Assistant::gap(const Around& around, const Pose& pose) {
     return detail::distance(shape.data(), shape.size(), solid.data(), solid.size());
 }
 
-/// In the direction of every edge of either; the widest is how far they overlap, if it is negative, else no more than their distance.
 void Assistant::gaps_along_edges(const Around& around, const Pose& pose, double* gaps) {
     const auto [s, c] = angles::sine_cosine(pose.heading);
-    detail::Few<Point, 64> shape, seen;
-    for (const Point& p : around.shape) shape.push_back({pose.x + p.x * c - p.y * s, pose.y + p.x * s + p.y * c});
-    for (const Point& p : around.solid) {
-        const double x = p.x - pose.x, y = p.y - pose.y;
-        seen.push_back({x * c + y * s, y * c - x * s});
-    }
-    const auto along = [&](const std::vector<Point>& edges, const std::vector<Point>& normals, const auto& points) {
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            const Point n = normals[i];
-            double nearest = std::numeric_limits<double>::infinity();
-            for (const Point& p : points)
-                nearest = std::min(nearest, n.x * (p.x - edges[i].x) + n.y * (p.y - edges[i].y));
-            *gaps++ = nearest;
-        }
-    };
-    along(around.solid, around.solid_normals, shape);
-    along(around.shape, around.shape_normals, seen);
+    detail::for_each_edge_gap(around.shape, around.shape_normals, around.solid, around.solid_normals, pose, s, c,
+                              [&gaps](double gap) { *gaps++ = gap; });
 }
 
 double Assistant::nearest(const Pose& pose) const {

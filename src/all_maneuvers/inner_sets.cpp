@@ -150,12 +150,7 @@ InnerSet::Few InnerLattice::measured(int row, const Span& span, int cell) {
 
 InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direction direction, const Watching& watch) {
     InnerSet set;
-    int first_row = 0, last_row = -1;
-    for (const Layer& layer : limits) {
-        if (layer.spans.rows.empty()) continue;
-        first_row = first_row > last_row ? layer.spans.first : std::min(first_row, layer.spans.first);
-        last_row = std::max(last_row, layer.spans.last());
-    }
+    const auto [first_row, last_row] = rows_of({&limits});
     set.spans.first = first_row - 2 * offset_;
     for (int row = first_row; row <= last_row; ++row) {
         Span mine;

@@ -18,22 +18,25 @@ void Spans::store() {
     }
 }
 
-Layer hull(const std::vector<const Limits*>& several) {
-    Layer all;
-    int first = 0, last = -1;
+Rows rows_of(const std::vector<const Limits*>& several) {
+    Rows all;
     for (const Limits* limits : several) {
         for (const Layer& layer : *limits) {
-            if (layer.spans.rows.empty()) continue;
-            if (first > last) {
-                first = layer.spans.first;
-                last = layer.spans.last();
-            }
-            first = std::min(first, layer.spans.first);
-            last = std::max(last, layer.spans.last());
+            const Spans& spans = layer.spans;
+            if (spans.rows.empty()) continue;
+            const bool none_yet = all.first > all.last;
+            all.first = none_yet ? spans.first : std::min(all.first, spans.first);
+            all.last = none_yet ? spans.last() : std::max(all.last, spans.last());
         }
     }
-    all.spans.first = first;
-    all.spans.rows.resize(static_cast<std::size_t>(last - first) + 1);
+    return all;
+}
+
+Layer hull(const std::vector<const Limits*>& several) {
+    Layer all;
+    const Rows rows = rows_of(several);
+    all.spans.first = rows.first;
+    all.spans.rows.resize(static_cast<std::size_t>(rows.last - rows.first) + 1);
     const auto each = [&](auto&& act) {
         for (const Limits* limits : several)
             for (const Layer& layer : *limits)
@@ -41,7 +44,7 @@ Layer hull(const std::vector<const Limits*>& several) {
                     if (const Span span = layer.spans.of(row); !span.empty()) act(layer, row, span);
     };
     each([&](const Layer&, int row, const Span& span) {
-        Span& mine = all.spans.rows[static_cast<std::size_t>(row - first)];
+        Span& mine = all.spans.rows[static_cast<std::size_t>(row - rows.first)];
         if (mine.empty()) {
             mine = span;
         } else {

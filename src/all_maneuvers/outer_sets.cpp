@@ -331,16 +331,7 @@ Pairs OuterLattice::turn(const Pairs& before, const Limits& limits_before, const
 void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch) const {
     const Numbers& of = numbers(direction);
     const bool forward = direction == Direction::forward;
-    int first_row = 0, last_row = -1;
-    for (const Layer& layer : limits) {
-        if (layer.spans.rows.empty()) continue;
-        if (first_row > last_row) {
-            first_row = layer.spans.first;
-            last_row = layer.spans.last();
-        }
-        first_row = std::min(first_row, layer.spans.first);
-        last_row = std::max(last_row, layer.spans.last());
-    }
+    const auto [first_row, last_row] = rows_of({&limits});
     // The row before, at full width, with nothing around what was reached in it.
     const int first_cell = cell_of(first_column_) - 1;
     const auto width = static_cast<std::size_t>(cell_of(last_column_) + 2 - first_cell) + vector_padding;

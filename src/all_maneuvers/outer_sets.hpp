@@ -82,6 +82,13 @@ struct Layer {
 /// Several in a cell, in any order.
 using Limits = std::vector<Layer>;
 
+/// `first` to `last`; none if that is before.
+struct Rows {
+    int first = 0, last = -1;
+};
+/// In which any of several have cells.
+Rows rows_of(const std::vector<const Limits*>& several);
+
 /// The pairs of one move, layer by layer beside the limits they were made in.
 struct Pairs {
     struct Of {

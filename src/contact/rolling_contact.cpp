@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/edge_gaps.hpp"
 #include "model/angles.hpp"
 #include "snug/limits.hpp"
 
@@ -12,12 +13,8 @@ namespace snug::detail {
 RollingContact::Shape RollingContact::shape_of(const std::vector<Point>& corners) {
     Shape shape;
     shape.corners = corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        const double length = angles::hypot(b.x - a.x, b.y - a.y);
-        shape.normals.push_back({(b.y - a.y) / length, (a.x - b.x) / length});
-        shape.reach = std::max(shape.reach, angles::hypot(a.x, a.y));
-    }
+    shape.normals = outward_normals(corners);
+    for (const Point& p : corners) shape.reach = std::max(shape.reach, angles::hypot(p.x, p.y));
     return shape;
 }
 
@@ -49,24 +46,8 @@ RollingContact::RollingContact(const Car& car, const Place& place, double cleara
 /// The widest gap in the direction of an edge of either.
 double RollingContact::apart(const Shape& car, const Shape& solid, const Pose& pose, double sine, double cosine) const {
     double most = -std::numeric_limits<double>::infinity();
-    const auto widest = [&](const Shape& edges, const std::vector<Point>& points, const auto& seen) {
-        for (std::size_t i = 0; i < edges.corners.size(); ++i) {
-            const Point n = edges.normals[i], from = edges.corners[i];
-            double nearest = std::numeric_limits<double>::infinity();
-            for (const Point& point : points) {
-                const Point p = seen(point);
-                nearest = std::min(nearest, n.x * (p.x - from.x) + n.y * (p.y - from.y));
-            }
-            most = std::max(most, nearest);
-        }
-    };
-    widest(solid, car.corners, [&](const Point& p) {
-        return Point{pose.x + cosine * p.x - sine * p.y, pose.y + sine * p.x + cosine * p.y};
-    });
-    widest(car, solid.corners, [&](const Point& p) {
-        const double x = p.x - pose.x, y = p.y - pose.y;
-        return Point{cosine * x + sine * y, cosine * y - sine * x};
-    });
+    for_each_edge_gap(car.corners, car.normals, solid.corners, solid.normals, pose, sine, cosine,
+                      [&most](double gap) { most = std::max(most, gap); });
     return most;
 }
 
