@@ -52,14 +52,15 @@ DriveOptions without_errors() {
     return options;
 }
 
-/// Drives each of the moves in steps of 2 cm and says how deep the car overlaps something at worst.
-double deepest(const Car& car, const Place& place, const Pose& start, const std::vector<Move>& moves) {
+/// Drives each of the moves in steps and says how deep the car overlaps something at worst.
+double deepest(const Car& car, const Place& place, const Pose& start, const std::vector<Move>& moves,
+               double step = 0.02) {
     double worst = depth_in_place(car, place, start);
     Pose at = start;
     for (const Move& move : moves) {
         const double turn =
             static_cast<int>(move.direction) * std::tan(move.steering_angle) / car.wheelbase();  // for each metre
-        const int steps = std::max(1, static_cast<int>(std::ceil(move.length / 0.02)));
+        const int steps = std::max(1, static_cast<int>(std::ceil(move.length / step)));
         for (int i = 0; i < steps; ++i) {
             const double ds = move.length / steps;
             const double middle = at.heading + turn * ds / 2.0;
@@ -165,6 +166,59 @@ TEST(Assistant, TellsNothingThatTouchesFromAnyPose) {
     EXPECT_GT(overlapped, 0);
     EXPECT_GT(stuck, 0);
     EXPECT_GE(parked + escaped, 0);
+}
+
+/// A place with posts and slats 4 mm thick strewn about where the car starts.
+Place with_thin_things(const Place& place, const Pose& about, Random& random) {
+    snug::PlaceDescription scene{place.obstacles(), place.parked(), place.region()};
+    for (int i = 0; i < 6; ++i) {
+        const double x = about.x + random.between(-5.0, 5.0), y = about.y + random.between(-5.0, 5.0);
+        const double turned = random.between(0.0, 3.1), c = std::cos(turned), s = std::sin(turned);
+        const double length = random.chance(0.5) ? 0.003 : random.between(0.1, 1.5), width = 0.002;
+        std::vector<Point> corners;
+        for (const Point& p : {Point{-length, -width}, {length, -width}, {length, width}, {-length, width}})
+            corners.push_back({x + p.x * c - p.y * s, y + p.x * s + p.y * c});
+        scene.obstacles.push_back({corners, random.chance(0.2), "slat", {}});
+    }
+    return Place(scene);
+}
+
+/// What an arc passes between the poses that are looked at: among thin things, from poses that nearly touch, hardly a margin kept,
+/// and followed in steps of less than a millimetre.
+TEST(Assistant, PassesNothingBetweenThePosesItLooksAt) {
+    int moved = 0, overlapped = 0;
+    const int places = snug::test::sample(6, 100), poses = snug::test::sample(500, 2000);
+    for (int i = 0; i < places; ++i) {
+        const Case one = random_case(3'000'000 + std::uint64_t(i));
+        Random random(7'000'000 + std::uint64_t(i));
+        const Place place = with_thin_things(one.place, one.start, random);
+        AssistantOptions options;
+        options.margin = random.chance(0.5) ? 0.0 : random.between(0.0, 0.02);
+        options.heading = one.start.heading;
+        std::optional<Assistant> assistant;
+        try {
+            assistant.emplace(one.car, place, options);
+        } catch (const snug::Error&) {
+            continue;
+        }
+        snug::AssistantMemory memory(*assistant);
+        for (int k = 0; k < poses; ++k) {
+            Pose pose = {one.start.x + random.between(-4.0, 4.0), one.start.y + random.between(-4.0, 4.0),
+                         one.start.heading + random.between(-1.3, 1.3)};
+            for (int t = 0; t < 12 && std::abs(depth_in_place(one.car, place, pose)) > 0.03; ++t)
+                pose.x += random.between(-0.4, 0.4), pose.y += random.between(-0.4, 0.4);
+            const Instruction& told = assistant->next(pose, std::nullopt, memory);
+            if (told.moves.empty()) continue;
+            const bool out_of_something = told.what == Instruction::overlap;
+            ++(out_of_something ? overlapped : moved);
+            const double allowed = out_of_something ? depth_in_place(one.car, place, pose) + 1e-6 : 1e-7;
+            EXPECT_LE(deepest(one.car, place, pose, told.moves, 0.0007), allowed)
+                << "place " << i << " at " << pose.x << ", " << pose.y << ", " << pose.heading;
+        }
+    }
+    std::cout << moved << " moves, " << overlapped << " ways out\n";
+    EXPECT_GT(moved, 0);
+    EXPECT_GT(overlapped, 0);
 }
 
 TEST(Assistant, AllocatesNothingInMemoryMadeBefore) {
