@@ -70,24 +70,23 @@ Pairs driven(const OuterLattice& lattice, Pairs pairs, Limits& limits, Direction
 
 /// From what is left of the lattice twice as coarse to what is left of this one; nothing when the start is out of reach.
 /// Throws TooLarge when it is not, but what is left cannot be kept.
-std::optional<Left> refined(const ChartPlace& place, double h0, Left coarse, ParkBounds& bounds,
-                            const Watching& watch) {
-    const double h = coarse.h / 2.0;
-    const std::size_t moves = coarse.moves.forward.size();
+std::optional<Left> refined(const ChartPlace& place, double h0, Left left, ParkBounds& bounds, const Watching& watch) {
+    const double h = left.h / 2.0;
+    const std::size_t moves = left.moves.forward.size();
     // Each cell has four children. What is free in them, and two moves each way, are held beside what is kept.
-    if (4 * bytes_of(coarse.hull_of_all) > most_bytes / 2) throw TooLarge{};
-    const OuterLattice lattice(place, h, h0, &coarse.hull_of_all, watch);
-    BothWays<Limits>& left = coarse.moves;
+    if (4 * bytes_of(left.hull_of_all) > most_bytes / 2) throw TooLarge{};
+    const OuterLattice lattice(place, h, h0, &left.hull_of_all, watch);
+    BothWays<Limits>& limits = left.moves;
     BothWays<Pairs> now, before;
     // Outward from the parked poses.
     std::size_t bytes = bytes_of(lattice.free());
     bool all_kept = true;
     for (std::size_t k = 0; k < moves; ++k) {
         for (const Direction direction : both_directions) {
-            Limits& mine = left.of(direction)[k];
+            Limits& mine = limits.of(direction)[k];
             mine = lattice.clipped(mine);
             Pairs pairs = k == 0 ? lattice.begin(lattice.parked(), mine, direction)
-                                 : lattice.turn(before.of(other(direction)).front(), left.of(other(direction))[k - 1],
+                                 : lattice.turn(before.of(other(direction)).front(), limits.of(other(direction))[k - 1],
                                                 mine, direction);
             now.of(direction).push_back(driven(lattice, std::move(pairs), mine, direction, watch));
             bytes += bytes_of(mine);
@@ -95,29 +94,29 @@ std::optional<Left> refined(const ChartPlace& place, double h0, Left coarse, Par
         }
         before = std::exchange(now, {});
         if (all_kept) continue;
-        for (const Direction direction : both_directions) std::fill_n(left.of(direction).begin(), k, Limits{});
+        for (const Direction direction : both_directions) std::fill_n(limits.of(direction).begin(), k, Limits{});
     }
     bool reached = false;
     for (const Direction direction : both_directions)
-        reached = reached || lattice.holds_start(before.of(direction).front(), left.of(direction).back(), direction);
+        reached = reached || lattice.holds_start(before.of(direction).front(), limits.of(direction).back(), direction);
     bounds.updates += std::exchange(lattice.updates, 0);
     if (!reached) return std::nullopt;
     if (!all_kept) throw TooLarge{};
     // Then from the start. Driving forward when leaving is driving backward when parking, and move k is the last but k.
     for (std::size_t k = moves; k-- > 0;) {
         for (const Direction direction : both_directions) {
-            Limits& mine = left.of(other(direction))[k];
+            Limits& mine = limits.of(other(direction))[k];
             Pairs pairs = k + 1 == moves ? lattice.begin_at_start(mine, direction)
-                                         : lattice.turn(before.of(other(direction)).front(), left.of(direction)[k + 1],
-                                                        mine, direction);
+                                         : lattice.turn(before.of(other(direction)).front(),
+                                                        limits.of(direction)[k + 1], mine, direction);
             now.of(direction).push_back(driven(lattice, std::move(pairs), mine, direction, watch));
         }
         before = std::exchange(now, {});
     }
     bounds.updates += lattice.updates;
-    coarse.h = h;
-    coarse.hull_of_all = hull_of(left);
-    return coarse;
+    left.h = h;
+    left.hull_of_all = hull_of(limits);
+    return left;
 }
 
 /// The place for a car that is larger by so much on every side.
@@ -291,10 +290,11 @@ std::optional<int> changes_along(const ChartPlace& place, double h, double h0, c
     return changes;
 }
 
-constexpr int tried_above = 2;                  ///< counts above the lower bound for which a lattice looks for a way
-constexpr int far_above = 40;                   ///< and how far the coarse ones look for where to begin
-constexpr int many_changes = 20;                ///< from so many on finer lattices count first
-constexpr std::size_t soon_done = 400'000'000;  ///< cells computed, when halving the finest spacing again takes seconds
+constexpr int tried_above = 2;    ///< counts above the lower bound for which a lattice looks for a way
+constexpr int far_above = 40;     ///< and how far the coarse ones look for where to begin
+constexpr int many_changes = 20;  ///< from so many on finer lattices count first
+constexpr std::size_t soon_done =
+    400'000'000;  ///< cells computed: with more, halving the finest spacing again would take minutes
 
 /// Places that want the car parked better: close to the parked heading, and well inside; the last is as asked.
 std::vector<ChartPlace> better_parked(const ChartPlace& place, double h) {
