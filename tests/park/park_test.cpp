@@ -1,11 +1,13 @@
 // Maneuvers of `park` are what they say they are.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <string>
 #include <vector>
 
+#include "park/drive_out.hpp"
 #include "park/judge.hpp"
 #include "park/random_places.hpp"
 #include "sample.hpp"
@@ -98,6 +100,40 @@ TEST(Park, BoundsMeetInNearlyAllRandomPlaces) {
     }
     std::printf("%d of %d proved, %d of them impossible\n", met, asked_about, impossible);
     EXPECT_GE(met, (count >= 500 ? 0.95 : 0.5) * asked_about);
+}
+
+/// Driven out of the slot at random and back the same way, a car parks with the changes it took: the lower bound may not be more,
+/// on however fine a lattice it was found.
+TEST(Park, NoRealManeuverBeatsTheLowerBound) {
+    const int count = snug::test::sample(200, 20000);
+    int asked_about = 0, just_met = 0;
+    for (int i = 0; i < count; ++i) {
+        Case asked = random_case(5'000'000 + static_cast<std::uint64_t>(i));
+        Random random(9'000'000 + static_cast<std::uint64_t>(i));
+        snug::detail::sets::Chart chart;
+        static_cast<void>(snug::detail::sets::chart_place(asked.car, asked.place, asked.start, 0.0, chart));
+        const double parked = std::get<snug::ParkedInside>(asked.place.parked()).heading;
+        int changes = -1;
+        // Headings farther off are not covered from every start.
+        drive_out(asked, chart, random, random.whole(1, 8), [&](const Pose& pose, const Pose&, int k, bool) {
+            if (std::abs(std::remainder(pose.heading - parked, 6.283185307179586)) > 1.0) return false;
+            asked.start = pose;
+            changes = k;
+            return true;
+        });
+        if (changes < 0) continue;
+        SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
+        snug::ParkOptions options;
+        options.roomiest = false;
+        options.max_changes = changes;
+        const snug::ParkAnswer answer = park(asked.car, asked.place, asked.start, options);
+        ++asked_about;
+        just_met += answer.lower_bound == changes;
+        EXPECT_FALSE(answer.impossible);
+        EXPECT_LE(answer.lower_bound, changes);
+    }
+    std::printf("%d asked, %d of the bounds are just met\n", asked_about, just_met);
+    EXPECT_GT(just_met, 0);
 }
 
 /// A car that stands parked has nothing to do, wherever and however aslant it stands.
