@@ -98,14 +98,19 @@ struct First {
             order = met_order;
             found.is_first(true, at.across, meets, part);
         } else {
-            const AtStart<N> found_there = at_start();
-            const Mask touching = N::both(N::abs(later) < N::set(near_start), found_there.touching);
-            const Mask touches = N::both(touching, N::opposite(found_there.slips_off));
             const Mask ahead =
                 N::least(N::least(at.s, at.c), later) >= N::set(0.0);  // a sector is a whole quarter turn
-            const Mask met = N::both(exists, N::either(touches, N::both(N::opposite(touching), ahead)));
+            Mask met = N::both(exists, ahead);
+            Real met_order = at_order;
+            const Mask near = N::both(exists, N::abs(later) < N::set(near_start));
+            if (N::some(near)) {
+                const AtStart<N> found_there = at_start();
+                const Mask touching = N::both(near, found_there.touching);
+                const Mask touches = N::both(touching, N::opposite(found_there.slips_off));
+                met = N::either(touches, N::both(met, N::opposite(touching)));
+                met_order = N::select(touches, start_order, at_order);
+            }
             found.lies_ahead(met, meets);
-            const Real met_order = N::select(touches, start_order, at_order);
             const Mask earlier = N::both(met, met_order > order);
             c = N::select(earlier, at.c, c);
             s = N::select(earlier, at.s, s);
@@ -161,11 +166,13 @@ struct First {
             return AtStart<N>{touching, N::both(above_top + start_y >= N::set(0.0) - touch, start_x <= N::set(0.0))};
         };
         // Rounding may have lifted a corner that touches above the wall's end, or ended its circle short of the wall.
-        const Mask sure = N::both(height <= N::set(0.0), N::opposite(just));
+        Mask sure = height <= N::set(0.0);
+        if constexpr (Careful) sure = N::both(sure, N::opposite(just));
         if constexpr (N::alone) {
             if (!sure && !(exists && at_start().touches())) return;
         } else {
-            exists = N::either(sure, N::both(exists, at_start().touches()));
+            const Mask unsure = N::both(exists, N::opposite(sure));
+            exists = N::rarely(unsure) ? N::either(sure, N::both(unsure, at_start().touches())) : sure;
         }
         consider(at, exists, at_start, meets, corner.index);
     }

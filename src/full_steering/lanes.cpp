@@ -36,7 +36,7 @@ constexpr Reals reals;
 constexpr Whole whole;
 constexpr std::size_t lanes = hn::MaxLanes(reals);
 /// Vectors stepped in turn, so that one can begin while another waits for its roots.
-constexpr std::size_t vectors = 2;
+constexpr std::size_t vectors = 3;
 
 /// The frame's numbers in one quarter turn (see Sector) for every way the lanes may be turning: the index is 1 for
 /// forward, plus 2 in the second quarter.
@@ -128,6 +128,7 @@ struct Lanes {
     static HWY_INLINE Mask either(Mask a, Mask b) { return hn::Or(a, b); }
     static HWY_INLINE Mask opposite(Mask a) { return hn::Not(a); }
     static HWY_INLINE Mask never() { return hn::Zero(reals) > hn::Zero(reals); }
+    static HWY_INLINE bool some(Mask mask) { return !hn::AllFalse(reals, mask); }
     static HWY_INLINE bool none(Mask) { return false; }  // some lane nearly always has something left
     static HWY_INLINE bool rarely(Mask mask) { return HWY_UNLIKELY(!hn::AllFalse(reals, mask)); }
 };

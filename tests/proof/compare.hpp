@@ -153,11 +153,14 @@ private:
     }
 
     /// A later move that begins tangent to what the car touches: stuck on one side of a heading, by the square of how far
-    /// it is off. That far the oracle forgives.
+    /// it is off. That far the oracle forgives. Where it forgives next to nothing, rounding may let the car creep first.
     bool tangent(const Problem<long double>& strict, double heading) {
         for (const long double away : {-1e-7L, 1e-7L}) {
             const Run<long double> beside = run(strict, heading + away, limit_);
-            if (beside.outcome == snug::Outcome::stuck && count(beside) == reported(heading)) return true;
+            const bool stuck =
+                beside.outcome == snug::Outcome::stuck ||
+                (beside.outcome == snug::Outcome::too_many_changes && beside.legs.back().length < 1e-12L);
+            if (stuck && count(beside) == reported(heading)) return true;
         }
         return false;
     }
