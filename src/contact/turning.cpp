@@ -59,6 +59,8 @@ int leading(const Outline& outline, int before, const Point& own) {
     return static_cast<int>(best);
 }
 
+constexpr double never = std::numeric_limits<double>::infinity();
+
 Few<TurningShape::Leading, 4> leading(const Outline& outline, const Few<Border, 4>& ends) {
     Few<TurningShape::Leading, 4> found;
     if (ends.size() == 1) {  // a rectangle, which begins with its front-left corner
@@ -87,7 +89,6 @@ TurningCorner turned(TurningCorner corner, int quarter) {
 
 /// order() of the heading at which the corner is straight below the centre, if that lies between two borders.
 double below_centre(const TurningCorner& corner, double begin_order, double end_order) {
-    constexpr double never = std::numeric_limits<double>::infinity();
     if (corner.x > 0.0 || corner.y > 0.0) return never;
     const double order = (corner.y - corner.x) / corner.radius;
     return order <= begin_order && order >= end_order ? order : never;
@@ -196,10 +197,18 @@ void TurningFrame::see(const TurningShape& shape, int any_quarter) {
         sector.at_curb = seen(at_curb_, at_curb[i][down]);
         sector.top = seen(frame_, of_frame[i][up]);
         const auto edges_between = [&](const TurningCorner& a, const TurningCorner& b) {
-            return b.index - a.index + (b.index < a.index ? static_cast<int>(edges.size()) : 0);
+            const int all = static_cast<int>(edges.size());
+            Sector::Edges between = {a.index, b.index - a.index + (b.index < a.index ? all : 0), never, -1.0};
+            for (int k = 0; k < between.count; ++k) {
+                const TurningEdge& edge = edges[static_cast<std::size_t>((a.index + k) % all)];
+                if (edge.farthest_square < 0.0) continue;
+                between.nearest_square = std::min(between.nearest_square, edge.nearest_square);
+                between.farthest_square = std::max(between.farthest_square, edge.farthest_square);
+            }
+            return between;
         };
-        sector.front_edges = edges_between(sector.lowest, sector.rightmost);
-        sector.rear_edges = edges_between(sector.leftmost, sector.lowest);
+        sector.front = edges_between(sector.lowest, sector.rightmost);
+        sector.rear = edges_between(sector.leftmost, sector.lowest);
         sector.frame_low = point(seen(frame_, of_frame[i][down]));
         sector.frame_left = point(seen(frame_, of_frame[i][left]));
         sector.frame_right = point(seen(frame_, of_frame[i][right]));
@@ -223,10 +232,12 @@ Bearing first_in_sector(const TurningFrame& frame, const Sector& sector, const P
     const TurningEdge* const edges = frame.edges.data();
     const TurningEdge* const end = frame.edges.end();
     // Inlined twice by force, so that `first` stays in registers.
-    const auto edges_meet = [&](int from, int count, double gx, double gy, Meets meets) __attribute__((always_inline)) {
-        if (count == 0) return;
+    const auto edges_meet = [&](const Sector::Edges& some, double gx, double gy, Meets meets)
+        __attribute__((always_inline)) {
         const double square = gx * gx + gy * gy;
-        const TurningEdge* edge = edges + from;
+        if (!(square >= some.nearest_square && square <= some.farthest_square)) return;
+        int count = some.count;
+        const TurningEdge* edge = edges + some.first;
         for (;;) {
             if (!(square < edge->nearest_square || square > edge->farthest_square)) {
                 const Point& outward = edge->normal[static_cast<std::size_t>(quarter & 3)];
@@ -237,8 +248,8 @@ Bearing first_in_sector(const TurningFrame& frame, const Sector& sector, const P
             if (++edge == end) edge = edges;
         }
     };
-    edges_meet(sector.lowest.index, sector.front_edges, -x, -around.above_front, Meets::front_corner);
-    edges_meet(sector.leftmost.index, sector.rear_edges, -x - problem.length, -around.above_rear, Meets::rear_corner);
+    edges_meet(sector.front, -x, -around.above_front, Meets::front_corner);
+    edges_meet(sector.rear, -x - problem.length, -around.above_rear, Meets::rear_corner);
     found = first.found;
     return {first.c, first.s};
 }

@@ -105,9 +105,14 @@ struct Sector {
     TurningCorner lowest;     ///< of the body
     TurningCorner leftmost;
     TurningCorner rightmost;
-    TurningCorner at_curb;        ///< the lowest of what stops at the curb
-    TurningCorner top;            ///< the highest of the frame
-    int front_edges, rear_edges;  ///< how many there are from the lowest to the rightmost, and from the leftmost to it
+    TurningCorner at_curb;  ///< the lowest of what stops at the curb
+    TurningCorner top;      ///< the highest of the frame
+    /// So many edges in turn, and how near and how far from the centre a point must be to meet any of them.
+    struct Edges {
+        int first, count;
+        double nearest_square, farthest_square;  ///< [m^2]
+    };
+    Edges front, rear;                         ///< from the lowest corner to the rightmost, and from the leftmost to it
     Point frame_low, frame_left, frame_right;  ///< the others of the frame, for all that counts as parked
     /// order() of the heading at which the corner at the curb is lowest, and the top is lowest; infinite if not in the sector.
     double graze_order = std::numeric_limits<double>::infinity();
