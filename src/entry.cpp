@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "contact/entering.hpp"
+#include "contact/standing_room.hpp"
 #include "full_steering/heading_ranges.hpp"
 #include "full_steering/proof/proof.hpp"
 #include "full_steering/proof/verdict.hpp"
@@ -175,8 +176,12 @@ Answer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
 }
 
 Shortfall shortfall(const Car& car, const Slot& slot, const Driving& driving) {
-    const LeastSlot least = least_slot(car, slot, driving);
-    return {std::max(0.0, least.length - slot.length()), std::max(0.0, least.width - slot.width())};
+    const LeastSlot parallel = least_slot(car, slot, driving);
+    const Shortfall lacks = {std::max(0.0, parallel.length - slot.length()),
+                             std::max(0.0, parallel.width - slot.width())};
+    if (lacks == Shortfall{}) return lacks;
+    const bool stands_aslant = slot.width() >= least_width(entering_problem(car, slot, driving), slot.length());
+    return stands_aslant ? Shortfall{} : lacks;
 }
 
 }  // namespace snug

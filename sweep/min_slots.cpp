@@ -61,7 +61,7 @@ Slots of_all_maneuvers(const Car& car, double given, const std::vector<int>& ris
     Slots slots;
     MinSlotOptions each = options;
     double& most = options.sought == Sought::length ? each.longest : each.widest;
-    const double from = detail::least_size(car, options);
+    const double from = detail::sizes_to_search(car, given, options).parallel;
     for (const int changes : rising) {
         each.max_changes = changes;
         slots.push_back(min_slot(car, given, each));
@@ -83,7 +83,7 @@ Slots by_stepping(const Car& car, double given, const std::vector<int>& rising, 
     question.driving = options.driving;
     question.parked = options.parked;
     const bool length = options.sought == Sought::length;
-    const double least = detail::least_size(car, options);
+    const double least = detail::sizes_to_search(car, given, options).parallel;
     const double most = least + (length ? options.longest : options.widest) + 1e-9;
     Slots slots;
     for (const int changes : rising) {

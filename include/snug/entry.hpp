@@ -29,8 +29,8 @@ struct EntryOptions {
 /// Throws Error when an option is impossible.
 Answer entry(const Car& car, const Slot& slot, const EntryOptions& options = {});
 
-/// How much a slot lacks to hold the parallel car at all, with the clearance it keeps from neighbours and curb (none where a
-/// neighbour is set back). [m], 0 if nothing.
+/// How much a slot lacks to hold the parallel car, with the clearance it keeps from neighbours and curb (none where a neighbour
+/// is set back). [m], 0 if nothing, and where the car can stand aslant.
 struct Shortfall {
     double length = 0.0;
     double width = 0.0;

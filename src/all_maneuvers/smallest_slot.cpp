@@ -22,7 +22,7 @@ public:
         : car_(car),
           given_(given),
           options_(options),
-          largest_(least_size(car, options) + (sought_length() ? options.longest : options.widest)),
+          largest_(sizes_to_search(car, given, options).most),
           ground_(car, slot_of(options, given, largest_), options.driving, options.parked),
           smallest_(sought_length() ? shorter_than_any(ground_, given) : narrower_than_any(ground_)),
           lower_(smallest_),
@@ -143,7 +143,7 @@ MinSlot smallest_slot(const Car& car, double given, const MinSlotOptions& option
 }
 
 bool is_plain(const Car& car, double given, const MinSlotOptions& options) {
-    const Slot slot = slot_of(options, given, least_size(car, options) + 1.0);
+    const Slot slot = slot_of(options, given, sizes_to_search(car, given, options).most);
     return is_plain(Ground(car, slot, options.driving, options.parked));
 }
 

@@ -91,9 +91,7 @@ double EntryShape::clears(const Problem& problem, double c, double s) const {
 bool is_possible(const Problem& problem, const EntryShape& shape, double heading, double c, double s) {
     if (!(c >= 0.0 && s >= 0.0)) return false;
     const double size = problem.length + problem.body.front() + problem.body.rear() + problem.radius;
-    double clears = shape.clears(problem, c, s);
-    if (problem.front_setback == 0.0 && problem.rear_setback == 0.0)
-        clears = std::min(clears, problem.length - problem.body.front() - problem.body.rear());
+    const double clears = shape.clears(problem, c, s);
     if (std::abs(clears) > plainly * size) return clears > 0.0;
     return lies_in(possible_headings(problem, shape), heading);
 }
@@ -103,8 +101,6 @@ std::vector<Headings> possible_headings(const Problem& problem) {
 }
 
 std::vector<Headings> possible_headings(const Problem& problem, const EntryShape& shape) {
-    const bool open = problem.front_setback > 0.0 || problem.rear_setback > 0.0;
-    if (!open && problem.body.front() + problem.body.rear() > problem.length) return {};
     const Point& corner = shape.corner;
     const Point rear = rear_corner(problem);
     Few<Bearing, 48> cuts;

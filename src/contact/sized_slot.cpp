@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact/entering.hpp"
+#include "contact/standing_room.hpp"
 #include "sentences/check.hpp"
 #include "snug/error.hpp"
 #include "snug/limits.hpp"
@@ -32,15 +33,18 @@ Slot slot_of(const MinSlotOptions& options, double given, double size) {
                  .curb = options.curb});
 }
 
-double least_size(const Car& car, const MinSlotOptions& options) {
+SizeRange sizes_to_search(const Car& car, double given, const MinSlotOptions& options) {
+    const bool length = options.sought == Sought::length;
     const double deepest = std::max({options.front_setback, options.rear_setback, limits::shortest});
-    const Slot slot({.length = limits::shortest,
-                     .width = deepest,
-                     .front_setback = options.front_setback,
-                     .rear_setback = options.rear_setback,
-                     .curb = options.curb});
-    const LeastSlot least = least_slot(car, slot, options.driving);
-    return options.sought == Sought::length ? least.length : std::max(least.width, deepest);
+    const Slot slot = slot_of(options, given, length ? limits::shortest : deepest);
+    const LeastSlot parallel = least_slot(car, slot, options.driving);
+    const Problem problem = entering_problem(car, slot, options.driving, options.parked);
+    SizeRange sizes;
+    sizes.least = std::max(length ? least_length(problem, given) : least_width(problem, given),
+                           length ? limits::shortest : deepest);
+    sizes.parallel = length ? parallel.length : std::max(parallel.width, deepest);
+    sizes.most = sizes.parallel + (length ? options.longest : options.widest);
+    return sizes;
 }
 
 }  // namespace snug::detail

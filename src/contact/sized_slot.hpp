@@ -9,7 +9,12 @@ namespace snug::detail {
 void check(const MinSlotOptions& options, double given);
 /// The slot of that size.
 Slot slot_of(const MinSlotOptions& options, double given, double size);
-/// Nothing smaller than this holds the parallel car, with what it keeps from neighbours and curb [m].
-double least_size(const Car& car, const MinSlotOptions& options);
+/// Where a search begins, and how far it goes.
+struct SizeRange {
+    double least = 0.0;     ///< no smaller slot holds the car, however it stands; infinite where none does [m]
+    double parallel = 0.0;  ///< and none the parallel car [m]
+    double most = 0.0;      ///< [m]
+};
+SizeRange sizes_to_search(const Car& car, double given, const MinSlotOptions& options);
 
 }  // namespace snug::detail

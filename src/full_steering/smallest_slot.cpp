@@ -44,11 +44,10 @@ class SlotSearch {
 public:
     SlotSearch(const Car& car, double given, const MinSlotOptions& options)
         : car_(car), given_(given), options_(options) {
-        least_ = least_size(car, options);
-        most_ = least_ + (options.sought == Sought::length ? options.longest : options.widest);
-        MinSlotOptions other = options;
-        other.sought = options.sought == Sought::length ? Sought::width : Sought::length;
-        hopeless_ = given < least_size(car, other);
+        const SizeRange sizes = sizes_to_search(car, given, options);
+        least_ = sizes.least;
+        most_ = sizes.most;
+        hopeless_ = least_ > most_;
     }
 
     /// The smallest size for this many changes, not less than asked for the last time. `nearby` may come close to an

@@ -33,14 +33,10 @@ bool none_between(const Car& car, double given, const MinSlotOptions& options, d
 }  // namespace
 
 void prove_smaller(const Car& car, double given, const MinSlotOptions& options, MinSlot& slot) {
-    const bool length = options.sought == Sought::length;
-    const double least = least_size(car, options);
-    const double end = slot.size(options.sought).value_or(least + (length ? options.longest : options.widest));
-    MinSlotOptions other = options;
-    other.sought = length ? Sought::width : Sought::length;
-    const bool hopeless = given < least_size(car, other);
+    const SizeRange sizes = sizes_to_search(car, given, options);
+    const double end = slot.size(options.sought).value_or(sizes.most);
     std::size_t moves_left = moves_in_all;
-    double from = least;
+    double from = sizes.least;
     double step = coarsest;
     const auto leave_open = [&](double to) {
         if (!slot.open.empty() && slot.open.back().max == from) {
@@ -50,8 +46,8 @@ void prove_smaller(const Car& car, double given, const MinSlotOptions& options, 
         }
         from = to;
     };
-    while (!hopeless && from < end) {
-        if (options.progress && !options.progress((from - least) / (end - least))) slot.cancelled = true;
+    while (from < end) {
+        if (options.progress && !options.progress((from - sizes.least) / (end - sizes.least))) slot.cancelled = true;
         if (slot.cancelled || moves_left == 0) {
             leave_open(end);
             break;
