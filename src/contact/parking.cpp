@@ -164,7 +164,7 @@ std::optional<ParkedTurn> first_parked(const Turn& turn, const QuarterHeading& f
             const double c = cuts[i].c + cuts[i + 1].c;
             const double s = cuts[i].s + cuts[i + 1].s;
             const double length = std::sqrt(c * c + s * s);
-            if (conditions.miss(c / length, s / length) <= 0.0) {
+            if (conditions.miss(c / length, s / length) <= allowed) {
                 if (!found) found = ParkedTurn{{cuts[i].c, cuts[i].s, quarter}, {}};
                 found->to = {cuts[i + 1].c, cuts[i + 1].s, quarter};
             } else if (found) {

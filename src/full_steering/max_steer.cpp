@@ -20,7 +20,11 @@ using namespace detail;
 /// Where a parking move stops: as parallel to the slot as it can while the car is parked, from the first moment it is.
 QuarterHeading goal_heading(const Turn& turn, const QuarterHeading& start, const QuarterHeading& end) {
     std::optional<ParkedTurn> parked = first_parked(turn, start, end, 0.0);
-    if (!parked) parked = first_parked(turn, start, end, turn.problem->touch);
+    const auto same = [](const QuarterHeading& a, const QuarterHeading& b) {
+        return a.quarter == b.quarter && a.order() == b.order();
+    };
+    // Where it is parked for a moment only, rounding may have cut the rest off.
+    if (!parked || same(parked->from, parked->to)) parked = first_parked(turn, start, end, turn.problem->touch);
     if (!parked) return end;  // only rounding knows
     if (parked->to.quarter <= 0) return parked->to;
     if (parked->from.quarter > 0) return parked->from;

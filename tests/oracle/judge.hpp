@@ -38,6 +38,7 @@ struct Verdict {
 };
 
 struct JudgeOptions {
+    bool prove = false;           // else the search alone is judged, and the proof in tests/proof
     double heading_step = 1e-5;   // [rad]
     int unparkable_changes = 40;  // changes tried at every sample of a slot the solver calls too small; 200 at some
 };
@@ -82,7 +83,7 @@ public:
         const snug::Car car = asked_.made_car();
         const snug::Slot slot = asked_.made_slot();
         snug::EntryOptions problem1;
-        problem1.prove = false;  // the search is judged here, the proof in tests/proof
+        problem1.prove = options_.prove;
         problem1.driving = asked_.driving;
         problem1.parked = asked_.parked;
         const snug::Answer best = snug::entry(car, slot, problem1);

@@ -163,6 +163,17 @@ void settle(const SingleRuns& runs, std::vector<CountedHeadings>& found, const P
             undecided.push_back({min, max});
         }
     }
+    // What the proof cut is one range where a run shows that it goes on.
+    std::vector<CountedHeadings> whole;
+    for (const CountedHeadings& range : found) {
+        if (!whole.empty() && whole.back().changes == range.changes && range.min - whole.back().max <= one_subrange &&
+            runs.changes_from(0.5 * (whole.back().max + range.min), range.changes) == range.changes) {
+            whole.back().max = range.max;
+        } else {
+            whole.push_back(range);
+        }
+    }
+    found = std::move(whole);
     // Those too narrow to be compared are the ends of ranges, or have been missed.
     const auto leave_open = [&](double min, double max) {
         const bool at_an_end =
