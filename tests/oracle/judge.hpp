@@ -198,7 +198,7 @@ private:
         ++verdict_.decided;
         const Decided exact = decide(fine_, Fine(sample.heading), limit_);
         if (exact.count == expected) return;
-        if (!exact.certain) {
+        if (!exact.certain || (expected < 0 && stuck_beside(fine_, Fine(sample.heading), limit_))) {
             ++verdict_.undecided;
             return;
         }

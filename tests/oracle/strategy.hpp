@@ -162,4 +162,18 @@ inline Decided decide(const Problem<long double>& problem, long double heading, 
     return decided;
 }
 
+/// Whether the car, beginning a hair beside the heading, gets stuck where a later move begins tangent to what it touches: it
+/// sinks in by the square of how far the heading is off, and that is forgiven as rounding. Where next to nothing is forgiven,
+/// rounding may let the car creep first.
+inline bool stuck_beside(Problem<long double> strict, long double heading, int max_changes) {
+    strict.forgiven = 1e-17L;
+    for (const long double away : {-1e-7L, 1e-7L}) {
+        const Run<long double> beside = run(strict, heading + away, max_changes);
+        if (beside.outcome == snug::Outcome::stuck ||
+            (beside.outcome == snug::Outcome::too_many_changes && beside.legs.back().length < 1e-12L))
+            return true;
+    }
+    return false;
+}
+
 }  // namespace oracle

@@ -137,8 +137,8 @@ private:
         strict.forgiven = 1e-17L;
         const bool brink = count(run(forgiving, (long double)(heading), limit_)) == reported(heading) ||
                            count(run(strict, (long double)(heading), limit_)) == reported(heading);
-        if (brink || tangent(strict, heading) || dips_unseen(heading) ||
-            !decide(fine_, heading, limit_, 1e-13L).certain) {
+        if (brink || (reported(heading) < 0 && stuck_beside(fine_, (long double)(heading), limit_)) ||
+            dips_unseen(heading) || !decide(fine_, heading, limit_, 1e-13L).certain) {
             ++undecided;
             return sample;
         }
@@ -150,19 +150,6 @@ private:
             failures.push_back(out.str());
         }
         return sample;
-    }
-
-    /// A later move that begins tangent to what the car touches: stuck on one side of a heading, by the square of how far
-    /// it is off. That far the oracle forgives. Where it forgives next to nothing, rounding may let the car creep first.
-    bool tangent(const Problem<long double>& strict, double heading) {
-        for (const long double away : {-1e-7L, 1e-7L}) {
-            const Run<long double> beside = run(strict, heading + away, limit_);
-            const bool stuck =
-                beside.outcome == snug::Outcome::stuck ||
-                (beside.outcome == snug::Outcome::too_many_changes && beside.legs.back().length < 1e-12L);
-            if (stuck && count(beside) == reported(heading)) return true;
-        }
-        return false;
     }
 
     /// The oracle goes in steps, and may step over a dip of some 1e-12 m: nested thirds find it.
