@@ -119,6 +119,7 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     Chart chart;
     ParkQuestion question;
     question.place = chart_place(car, place, start, options.clearance, chart);
+    question.slot = slot_in(car, place, start, options.clearance, chart);
     question.max_changes = options.max_changes;
     question.roomiest = options.roomiest;
     if (std::abs(question.place.start.heading) > half_turn * 75.0 / 180.0)

@@ -164,6 +164,12 @@ bool stays_in_chart(const Some& way) {
 
 }  // namespace
 
+std::vector<std::vector<Path>> shortest_ways(const Pose& from, const Pose& to, double way, double radius) {
+    std::vector<std::vector<Path>> all;
+    for (const Pieces& pieces : ways_between(from, to, way, radius)) all.emplace_back(pieces.begin(), pieces.end());
+    return all;
+}
+
 std::vector<Path> with_few_pieces(const ChartPlace& place, const std::vector<Path>& way) {
     std::vector<Path> few;
     with_few_pieces(place, way, few);

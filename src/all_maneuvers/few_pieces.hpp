@@ -18,6 +18,10 @@ void with_few_pieces(const ChartPlace& place, const std::vector<Path>& way, std:
 /// and the next one begins. It costs what `trouble` says, and never more than the way given.
 std::vector<Path> polished(const ChartPlace& place, const std::vector<Path>& way);
 
+/// Ways of an arc, a straight line and an arc at full steering from one pose to another, driven forward (1) or backward (-1)
+/// (Dubins 1957), the shortest first; no arc turns farther than 2.5 rad.
+std::vector<std::vector<Path>> shortest_ways(const Pose& from, const Pose& to, double way, double radius);
+
 /// What a driver minds, as so much length [m]: the length, every piece, and holding the wheel between straight and full.
 double trouble(const std::vector<Path>& way, double radius);
 

@@ -377,9 +377,24 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     }
     const double h0 = question.coarsest;
     const OuterLattice lattice(question.place, h0, h0, nullptr, watch);
+    bool slot_asked = !question.slot;
+    /// What the slot alone tells, once.
+    const auto ask_slot = [&] {
+        if (std::exchange(slot_asked, true)) return;
+        std::vector<Path> way =
+            question.slot->way(question.place, bounds.upper.value_or(question.max_changes + 1) - 1, watch);
+        if (!way.empty()) {
+            bounds.upper = changes_of(way);
+            bounds.way = std::move(way);
+        }
+        const int most = bounds.upper.value_or(question.max_changes + 1) - 1;
+        bounds.lower = std::max(bounds.lower, question.slot->lower(most, watch));
+    };
     // Where it takes many changes, they are counted on finer lattices at once: that is cheap, as nothing needs to be kept.
     for (double h = h0; h > 0.999 * question.finest; h /= 2.0) {
         if (h < h0 && bounds.lower < many_changes) break;
+        if (h < h0) ask_slot();
+        if (bounds.meet() || bounds.lower > question.max_changes) break;
         std::optional<OuterLattice> finer;
         if (h < h0) finer.emplace(question.place, h, h0, nullptr, watch);
         const OuterLattice& here = finer ? *finer : lattice;
@@ -501,6 +516,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
                 found_at = h;
                 break;
             }
+            if (!bounds.meet()) ask_slot();
         }
     } catch (const TooLarge&) {
     }

@@ -6,12 +6,14 @@
 
 #include "all_maneuvers/chart.hpp"
 #include "all_maneuvers/outer_sets.hpp"
+#include "all_maneuvers/slot_in_place.hpp"
 #include "contact/place_contact.hpp"
 
 namespace snug::detail::sets {
 
 struct ParkQuestion {
     ChartPlace place;
+    std::optional<SlotInPlace> slot = {};  ///< if it is one
     int max_changes = 200;
     double coarsest = 0.08, finest = 0.01;  ///< spacings, a power of two apart [m]
     int finer = 0;  ///< how many times the finest is halved where so little is left that this is soon done
