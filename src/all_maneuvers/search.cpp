@@ -51,9 +51,8 @@ Chain run_chain(const Lattice& lattice, const LeavingQuestion& question, int las
     return chain;
 }
 
-/// No lattice is coarser: there the headings next to upright, which it leaves out, are few.
 double coarsest_sensible(const LeavingQuestion& question) {
-    return std::min(coarsest_part * question.ground.car.length(), question.ground.problem.radius / least_in_radius);
+    return detail::coarsest_sensible(question.ground.problem, question.ground.car);
 }
 
 double finest(const LeavingQuestion& question) {
@@ -125,6 +124,10 @@ bool narrow_to(const LeavingQuestion& question, int depth, LeavingBounds& bounds
 }
 
 }  // namespace
+
+double coarsest_sensible(const Problem& problem, const Car& car) {
+    return std::min(coarsest_part * car.length(), problem.radius / least_in_radius);
+}
 
 std::vector<Move> moves_at_hand(const LeavingQuestion& question, const Watch& watch) {
     if (too_large(question)) return {};

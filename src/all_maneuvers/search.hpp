@@ -31,6 +31,9 @@ struct LeavingBounds {
     [[nodiscard]] bool meet() const { return upper && *upper == lower; }
 };
 
+/// The spacing of the coarsest lattice that makes sense: there the headings next to upright, which it leaves out, are few. [m]
+double coarsest_sensible(const Problem& problem, const Car& car);
+
 /// A way out as the coarsest lattice there can be shows it: found in a millisecond or so, and seldom the best; empty if it
 /// shows none.
 std::vector<Move> moves_at_hand(const LeavingQuestion& question, const Watch& watch);

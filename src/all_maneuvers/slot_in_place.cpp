@@ -8,6 +8,7 @@
 #include "all_maneuvers/few_pieces.hpp"
 #include "all_maneuvers/lattice.hpp"
 #include "all_maneuvers/route.hpp"
+#include "all_maneuvers/search.hpp"
 #include "contact/entering.hpp"
 #include "model/angles.hpp"
 #include "model/polygon.hpp"
@@ -19,10 +20,10 @@ namespace snug::detail::sets {
 namespace {
 
 constexpr double rounding = 1e-9;  ///< of positions [m]
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 struct Box {
-    double x_min = infinity, x_max = -infinity, y_min = infinity, y_max = -infinity;
+    double x_min = unbounded, x_max = -unbounded, y_min = unbounded, y_max = -unbounded;
 
     explicit Box(const std::vector<Point>& corners) {
         for (const Point& p : corners) {
@@ -74,7 +75,7 @@ std::optional<SlotInPlace> slot_on(Side side, const Car& car, const Place& place
     const Box region(to_slot(bare, place.region()));
     const double ahead = region.x_max + farthest, behind = region.x_min - farthest, bottom = region.y_min - farthest;
     struct Found {
-        double top = -infinity;
+        double top = -unbounded;
         const Place::Piece* piece = nullptr;
     };
     const auto highest = [&](double from, double to, bool curb) {
@@ -140,16 +141,16 @@ void for_cells_at(const Lattice& lattice, const Pose& pose, const Use& use) {
             if (((s + d) & 1) == 0 && std::abs(row - s) + std::abs(column - d) < 1.0 + 1e-6) use(s, d);
 }
 
-struct Reach {
+struct OutOfSlot {
     int changes = 0;     ///< the car cannot come to the start with fewer; more than `last` when it does not get out
     detail::Rows cells;  ///< within so many changes
 };
 
 /// Leaving from wherever the car is parked, beginning in a direction. Once it is out, the car may drive on to the start in the
 /// same move only if that lies ahead; which is told where all `headings` are less than a quarter turn off parallel.
-Reach leave(const Lattice& lattice, const Pose& start, Direction direction, int last, bool on_when_there, bool headings,
-            const Watch& watch) {
-    Reach reach;
+OutOfSlot leave(const Lattice& lattice, const Pose& start, Direction direction, int last, bool on_when_there,
+                bool headings, const Watch& watch) {
+    OutOfSlot reach;
     reach.changes = last + 1;
     Heights heights(lattice, watch);
     heights.start_parked();
@@ -179,9 +180,8 @@ Reach leave(const Lattice& lattice, const Pose& start, Direction direction, int 
     return reach;
 }
 
-constexpr double coarsest_part = 1.0 / 128, finest_part = 1e-4;  ///< of the car's length, spacings
-constexpr double least_in_radius = 64.0;
-constexpr double most_cells = 16e6;  ///< 16 bytes each
+constexpr double finest_part = 1e-4;  ///< of the car's length: the finest spacing
+constexpr double most_cells = 16e6;   ///< 16 bytes each
 
 /// Ways in one move, or in two, from a pose to where a way into the slot begins; the latter may be farther out.
 class Connection {
@@ -272,8 +272,8 @@ int SlotInPlace::lower(int most, const Watching& watching) const {
     const bool headings = std::abs(here.heading) < 0.34;
     std::optional<detail::Rows> reached;
     int fewest = 0;
-    for (double spacing = std::min(coarsest_part * car.length(), problem.radius / least_in_radius);
-         fewest <= most && spacing > finest_part * car.length(); spacing /= 2.0) {
+    for (double spacing = coarsest_sensible(problem, car); fewest <= most && spacing > finest_part * car.length();
+         spacing /= 2.0) {
         if ((reached ? 4.0 * static_cast<double>(reached->cells()) : Lattice::most_cells(problem, spacing)) >
             most_cells)
             break;
@@ -281,7 +281,7 @@ int SlotInPlace::lower(int most, const Watching& watching) const {
                               watch);
         if (lattice.may_park_upright()) break;
         // Who begins the other way has reached no more cells than with one move more.
-        Reach reach = leave(lattice, here, Direction::forward, most + 1, true, headings, watch);
+        OutOfSlot reach = leave(lattice, here, Direction::forward, most + 1, true, headings, watch);
         const int others = std::min(reach.changes, most + 1);
         if (others > 0)
             reach.changes = std::min(
