@@ -7,12 +7,13 @@
 
 #include "all_maneuvers/few_pieces.hpp"
 #include "all_maneuvers/lattice.hpp"
+#include "all_maneuvers/room.hpp"
 #include "all_maneuvers/route.hpp"
 #include "all_maneuvers/search.hpp"
 #include "contact/entering.hpp"
 #include "model/angles.hpp"
 #include "model/polygon.hpp"
-#include "snug/fewest.hpp"
+#include "snug/error.hpp"
 #include "snug/limits.hpp"
 
 namespace snug::detail::sets {
@@ -180,8 +181,8 @@ OutOfSlot leave(const Lattice& lattice, const Pose& start, Direction direction, 
     return reach;
 }
 
-constexpr double finest_part = 1e-4;  ///< of the car's length: the finest spacing
-constexpr double most_cells = 16e6;   ///< 16 bytes each
+constexpr double finest_part = 1e-4, finest_way = 2e-4;  ///< of the car's length: the finest spacings
+constexpr double most_cells = 16e6;                      ///< 16 bytes each
 
 /// Ways in one move, or in two, from a pose to where a way into the slot begins; the latter may be farther out.
 class Connection {
@@ -292,16 +293,20 @@ int SlotInPlace::lower(int most, const Watching& watching) const {
     return fewest;
 }
 
-std::vector<Path> SlotInPlace::way(const ChartPlace& place, int most, const Watching& watch) const {
-    FewestOptions options;
-    options.max_changes = most;
-    options.driving = driving;
-    options.driving.clearance += 1e-6;  // so that no corner begins at another one
-    options.parked = parked;
-    options.resolution = 2e-4 * car.length();
-    options.roomiest = false;
-    options.progress = [&](const FewestProgress&) { return watch(), true; };
-    const Answer answer = fewest(car, slot, options);
+std::vector<Path> SlotInPlace::way(const ChartPlace& place, int most, const Watching& watching) const {
+    const Watch watch([&] { watching(); });
+    Driving keeping = driving;
+    keeping.clearance += 1e-6;  // so that no corner begins at another one
+    LeavingQuestion question = entering_question(car, slot, keeping, parked);
+    if (!has_room(question.ground, slot.length(), slot.width())) return {};
+    question.max_changes = most;
+    question.resolution = finest_way * car.length();
+    LeavingBounds bounds;
+    try {
+        narrow(question, sensible_depth(question, watch), bounds, watch);
+    } catch (const Error&) {  // the finest lattice would take too much memory
+    }
+    const Answer answer = answer_of(question, std::move(bounds), car, slot, true);
     if (!answer.maneuver) return {};
     std::vector<Path> into_slot;
     for (const Move& move : answer.maneuver->moves) {
