@@ -290,9 +290,11 @@ std::optional<int> changes_along(const ChartPlace& place, double h, double h0, c
     return changes;
 }
 
-constexpr int tried_above = 2;    ///< counts above the lower bound for which a lattice looks for a way
-constexpr int far_above = 40;     ///< and how far the coarse ones look for where to begin
-constexpr int many_changes = 20;  ///< from so many on finer lattices count first
+constexpr int most_looks_at_slot = 3;     ///< each on lattices of four times as many cells as the one before,
+constexpr double least_slot_cells = 1e6;  ///< 16 bytes each
+constexpr int tried_above = 2;            ///< counts above the lower bound for which a lattice looks for a way
+constexpr int far_above = 40;             ///< and how far the coarse ones look for where to begin
+constexpr int many_changes = 20;          ///< from so many on finer lattices count first
 constexpr std::size_t soon_done =
     400'000'000;  ///< cells computed: with more, halving the finest spacing again would take minutes
 
@@ -377,18 +379,28 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     }
     const double h0 = question.coarsest;
     const OuterLattice lattice(question.place, h0, h0, nullptr, watch);
-    bool slot_asked = !question.slot;
-    /// What the slot alone tells, once.
+    int looks_at_slot = question.slot ? 0 : most_looks_at_slot;
+    /// What the slot alone tells, more every time.
     const auto ask_slot = [&] {
-        if (std::exchange(slot_asked, true)) return;
-        std::vector<Path> way =
-            question.slot->way(question.place, bounds.upper.value_or(question.max_changes + 1) - 1, watch);
-        if (!way.empty()) {
-            bounds.upper = changes_of(way);
-            bounds.way = std::move(way);
+        if (looks_at_slot == most_looks_at_slot) return;
+        const double cells = std::ldexp(least_slot_cells, 2 * looks_at_slot);
+        if (looks_at_slot++ == 0) {
+            // Where a narrow road or boxes make it hard, it tells nothing.
+            if (2 * question.slot->lower(bounds.lower, cells, watch) < bounds.lower) {
+                looks_at_slot = most_looks_at_slot;
+                return;
+            }
+            const int most = bounds.upper.value_or(question.max_changes + 1) - 1;
+            const std::vector<Path> from_mouth = question.slot->from_mouth(most, watch);
+            std::vector<Path> way;
+            if (!from_mouth.empty()) way = from_start(question.place, from_mouth, most);
+            if (!way.empty()) {
+                bounds.upper = changes_of(way);
+                bounds.way = std::move(way);
+            }
         }
         const int most = bounds.upper.value_or(question.max_changes + 1) - 1;
-        bounds.lower = std::max(bounds.lower, question.slot->lower(most, watch));
+        bounds.lower = std::max(bounds.lower, question.slot->lower(most, cells, watch));
     };
     // Where it takes many changes, they are counted on finer lattices at once: that is cheap, as nothing needs to be kept.
     for (double h = h0; h > 0.999 * question.finest; h /= 2.0) {

@@ -144,13 +144,13 @@ void for_cells_at(const Lattice& lattice, const Pose& pose, const Use& use) {
 
 struct OutOfSlot {
     int changes = 0;     ///< the car cannot come to the start with fewer; more than `last` when it does not get out
-    detail::Rows cells;  ///< within so many changes
+    detail::Rows cells;  ///< within as many and `further` ones, or `last`
 };
 
 /// Leaving from wherever the car is parked, beginning in a direction. Once it is out, the car may drive on to the start in the
 /// same move only if that lies ahead; which is told where all `headings` are less than a quarter turn off parallel.
-OutOfSlot leave(const Lattice& lattice, const Pose& start, Direction direction, int last, bool on_when_there,
-                bool headings, const Watch& watch) {
+OutOfSlot leave(const Lattice& lattice, const Pose& start, Direction direction, int last, int further, bool headings,
+                const Watch& watch) {
     OutOfSlot reach;
     reach.changes = last + 1;
     Heights heights(lattice, watch);
@@ -158,7 +158,7 @@ OutOfSlot leave(const Lattice& lattice, const Pose& start, Direction direction, 
     const double radius = lattice.problem().radius, half = lattice.spacing() / 2.0 + rounding;
     const double sine = angles::sin(start.heading);
     const double high = start.y + radius * angles::cos(start.heading) - rounding;
-    for (int k = 0; k <= last && (on_when_there || k < reach.changes); ++k, direction = other(direction)) {
+    for (int k = 0; k <= last && k < reach.changes + further; ++k, direction = other(direction)) {
         const bool out = heights.sweep(direction, watch);
         if (k >= reach.changes) continue;
         bool there = false;
@@ -182,7 +182,6 @@ OutOfSlot leave(const Lattice& lattice, const Pose& start, Direction direction, 
 }
 
 constexpr double finest_part = 1e-4, finest_way = 2e-4;  ///< of the car's length: the finest spacings
-constexpr double most_cells = 16e6;                      ///< 16 bytes each
 
 /// Ways in one move, or in two, from a pose to where a way into the slot begins; the latter may be farther out.
 class Connection {
@@ -262,7 +261,7 @@ std::optional<SlotInPlace> slot_in(const Car& car, const Place& place, const Pos
     return std::nullopt;
 }
 
-int SlotInPlace::lower(int most, const Watching& watching) const {
+int SlotInPlace::lower(int most, double most_cells, const Watching& watching) const {
     const Watch watch([&] { watching(); });
     const Problem problem = loosened(*this);
     Pose here = slot.to_slot(start);
@@ -272,6 +271,7 @@ int SlotInPlace::lower(int most, const Watching& watching) const {
     // The chart's headings reach 80 degrees to either side of halfway between.
     const bool headings = std::abs(here.heading) < 0.34;
     std::optional<detail::Rows> reached;
+    constexpr int further = 10;  ///< finer lattices seldom count so many more than the first
     int fewest = 0;
     for (double spacing = coarsest_sensible(problem, car); fewest <= most && spacing > finest_part * car.length();
          spacing /= 2.0) {
@@ -282,18 +282,19 @@ int SlotInPlace::lower(int most, const Watching& watching) const {
                               watch);
         if (lattice.may_park_upright()) break;
         // Who begins the other way has reached no more cells than with one move more.
-        OutOfSlot reach = leave(lattice, here, Direction::forward, most + 1, true, headings, watch);
+        OutOfSlot reach = leave(lattice, here, Direction::forward, most + 1, further + 2, headings, watch);
         const int others = std::min(reach.changes, most + 1);
         if (others > 0)
-            reach.changes = std::min(
-                reach.changes, leave(lattice, here, Direction::backward, others - 1, false, headings, watch).changes);
+            reach.changes = std::min(reach.changes,
+                                     leave(lattice, here, Direction::backward, others - 1, 0, headings, watch).changes);
         fewest = std::max(fewest, std::min(reach.changes, most + 1));
+        most = std::min(most, reach.changes + further);
         reached = std::move(reach.cells);
     }
     return fewest;
 }
 
-std::vector<Path> SlotInPlace::way(const ChartPlace& place, int most, const Watching& watching) const {
+std::vector<Path> SlotInPlace::from_mouth(int most, const Watching& watching) const {
     const Watch watch([&] { watching(); });
     Driving keeping = driving;
     keeping.clearance += 1e-6;  // so that no corner begins at another one
@@ -315,7 +316,11 @@ std::vector<Path> SlotInPlace::way(const ChartPlace& place, int most, const Watc
         into_slot.push_back({from, angles::tan(move.steering_angle) / car.wheelbase(),
                              move.direction == Direction::forward ? 1.0 : -1.0, move.length});
     }
-    return Connection(place, into_slot, most).best();
+    return into_slot;
+}
+
+std::vector<Path> from_start(const ChartPlace& place, const std::vector<Path>& from_mouth, int most) {
+    return Connection(place, from_mouth, most).best();
 }
 
 }  // namespace snug::detail::sets
