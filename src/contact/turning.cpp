@@ -59,7 +59,7 @@ int leading(const Outline& outline, int before, const Point& own) {
     return static_cast<int>(best);
 }
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double unreached = std::numeric_limits<double>::infinity();
 
 Few<TurningShape::Leading, 4> leading(const Outline& outline, const Few<Border, 4>& ends) {
     Few<TurningShape::Leading, 4> found;
@@ -89,9 +89,9 @@ TurningCorner turned(TurningCorner corner, int quarter) {
 
 /// order() of the heading at which the corner is straight below the centre, if that lies between two borders.
 double below_centre(const TurningCorner& corner, double begin_order, double end_order) {
-    if (corner.x > 0.0 || corner.y > 0.0) return never;
+    if (corner.x > 0.0 || corner.y > 0.0) return unreached;
     const double order = (corner.y - corner.x) / corner.radius;
-    return order <= begin_order && order >= end_order ? order : never;
+    return order <= begin_order && order >= end_order ? order : unreached;
 }
 
 /// The edges of the body, as far as a point turning counter-clockwise about the centre can enter over them.
@@ -198,7 +198,7 @@ void TurningFrame::see(const TurningShape& shape, int any_quarter) {
         sector.top = seen(frame_, of_frame[i][up]);
         const auto edges_between = [&](const TurningCorner& a, const TurningCorner& b) {
             const int all = static_cast<int>(edges.size());
-            Sector::Edges between = {a.index, b.index - a.index + (b.index < a.index ? all : 0), never, -1.0};
+            Sector::Edges between = {a.index, b.index - a.index + (b.index < a.index ? all : 0), unreached, -1.0};
             for (int k = 0; k < between.count; ++k) {
                 const TurningEdge& edge = edges[static_cast<std::size_t>((a.index + k) % all)];
                 if (edge.farthest_square < 0.0) continue;
