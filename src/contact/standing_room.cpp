@@ -59,7 +59,7 @@ private:
 };
 
 /// Headings between which the same corners reach farthest and lie deep enough to be beside the neighbours.
-std::vector<double> borders(const Problem& problem) {
+std::vector<double> heading_borders(const Problem& problem) {
     const double most = std::min(problem.parked.heading, limits::quarter_turn);
     std::vector<double> found = {-most, most};
     const auto add = [&](double heading) {
@@ -88,7 +88,7 @@ std::vector<double> borders(const Problem& problem) {
 /// least is at an end of where that is so.
 double least(const Problem& problem, double limit, bool of_length) {
     double least = infinity;
-    const std::vector<double> all = borders(problem);
+    const std::vector<double> all = heading_borders(problem);
     for (std::size_t i = 0; i + 1 < all.size(); ++i) {
         const double middle = (all[i] + all[i + 1]) / 2.0;
         Highest front(middle), rear(middle), top(middle), low(middle);
