@@ -380,6 +380,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     const double h0 = question.coarsest;
     const OuterLattice lattice(question.place, h0, h0, nullptr, watch);
     int looks_at_slot = question.slot ? 0 : most_looks_at_slot;
+    bool found_at_slot = false;  ///< the way, so no lattice of sets has it yet
     /// What the slot alone tells, more every time.
     const auto ask_slot = [&] {
         if (looks_at_slot == most_looks_at_slot) return;
@@ -397,6 +398,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
             if (!way.empty()) {
                 bounds.upper = changes_of(way);
                 bounds.way = std::move(way);
+                found_at_slot = true;
             }
         }
         const int most = bounds.upper.value_or(question.max_changes + 1) - 1;
@@ -452,9 +454,10 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         std::vector<Path> way = WaySearch(question.place, h0, left, watch, bounds.updates).any();
         if (way.empty()) return false;
         const int changes = changes_of(way);
-        if (!bounds.upper || changes < *bounds.upper) {
+        if (!bounds.upper || changes < *bounds.upper || found_at_slot) {
             bounds.upper = changes;
             bounds.way = std::move(way);
+            found_at_slot = false;
         }
         return true;
     };
@@ -475,6 +478,17 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     };
     const auto finish = [&] {
         if (!question.roomiest || !bounds.upper) return;
+        // What only just gets out of the slot is not what people would drive: sets may hold a better way.
+        for (double h = h0; found_at_slot && h > 0.999 * question.finest; h /= 2.0) {
+            std::optional<Left> left;
+            try {
+                left = left_for(*bounds.upper, h);
+            } catch (const TooLarge&) {
+            }
+            if (!left) break;
+            found_at = h;
+            found_at_slot = !try_way(*left);
+        }
         // A lattice that just holds a way may not hold one that keeps a distance, but the next one may.
         std::vector<Path> way;
         for (double h = found_at; way.empty() && h > 0.999 * std::min(question.finest, found_at) && h > 0.4 * found_at;
