@@ -20,7 +20,7 @@ using namespace snug::detail::sets;
 
 /// Driven out of the slot at random and back the same way, a car parks with the changes it took.
 TEST(SlotInPlace, NoRealManeuverBeatsItsLowerBound) {
-    const int count = snug::test::sample(40, 20000);
+    const int count = snug::test::sample(40, 20000, 40);
     int asked_about = 0, just_met = 0;
     for (int i = 0; i < count; ++i) {
         Case asked = random_case(6'000'000 + static_cast<std::uint64_t>(i));
@@ -52,7 +52,7 @@ TEST(SlotInPlace, NoRealManeuverBeatsItsLowerBound) {
 }
 
 TEST(SlotInPlace, ItsWaysCanBeDriven) {
-    const int count = snug::test::sample(40, 2000);
+    const int count = snug::test::sample(40, 2000, 40);
     int slots = 0, ways = 0;
     for (int i = 0; i < count; ++i) {
         const Case asked = random_case(8'000'000 + static_cast<std::uint64_t>(i));
