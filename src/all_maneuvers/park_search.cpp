@@ -479,7 +479,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     const auto finish = [&] {
         if (!question.roomiest || !bounds.upper) return;
         // What only just gets out of the slot is not what people would drive: sets may hold a better way.
-        for (double h = h0; found_at_slot && h > 0.999 * question.finest; h /= 2.0) {
+        for (double h = h0; found_at_slot && h > 1.9 * question.finest; h /= 2.0) {
             std::optional<Left> left;
             try {
                 left = left_for(*bounds.upper, h);
