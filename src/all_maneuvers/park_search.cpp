@@ -394,7 +394,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
             const int most = bounds.upper.value_or(question.max_changes + 1) - 1;
             const std::vector<Path> from_mouth = question.slot->from_mouth(most, watch);
             std::vector<Path> way;
-            if (!from_mouth.empty()) way = from_start(question.place, from_mouth, most);
+            if (!from_mouth.empty()) way = from_start(question.place, from_mouth, most, watch);
             if (!way.empty()) {
                 bounds.upper = changes_of(way);
                 bounds.way = std::move(way);

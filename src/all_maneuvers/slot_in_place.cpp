@@ -60,14 +60,19 @@ std::optional<SlotInPlace> slot_on(Side side, const Car& car, const Place& place
     dimensions.side = side;
     dimensions.heading = inside->heading;
     dimensions.corner = inside->corners[0];
-    const Box bay(to_slot(Slot(dimensions), inside->corners));
-    for (const Point& p : to_slot(Slot(dimensions), inside->corners))
+    const Slot frame(dimensions);
+    const std::vector<Point> corners_of_bay = to_slot(frame, inside->corners);
+    const Box bay(corners_of_bay);
+    for (const Point& p : corners_of_bay)
         if (std::min(p.x - bay.x_min, bay.x_max - p.x) > rounding / 4.0 ||
             std::min(p.y - bay.y_min, bay.y_max - p.y) > rounding / 4.0)
             return std::nullopt;  // it lies aslant
-    dimensions.corner = Slot(dimensions).to_world(Point{bay.x_max, bay.y_max});
+    dimensions.corner = frame.to_world(Point{bay.x_max, bay.y_max});
     dimensions.length = bay.x_max - bay.x_min;
     dimensions.width = bay.y_max - bay.y_min;
+    if (std::max(dimensions.length, dimensions.width) > farthest_y ||
+        std::min(dimensions.length, dimensions.width) < limits::shortest)
+        return std::nullopt;  // nor is it a slot
     const Slot bare(dimensions);
 
     // Everything the car can ever cover.
@@ -183,56 +188,49 @@ OutOfSlot leave(const Lattice& lattice, const Pose& start, Direction direction, 
 
 constexpr double finest_part = 1e-4, finest_way = 2e-4;  ///< of the car's length: the finest spacings
 
-/// Ways in one move, or in two, from a pose to where a way into the slot begins; the latter may be farther out.
+/// Ways in one move, or in two, from the start to where a way into the slot begins, or to a place farther out from there.
 class Connection {
 public:
-    Connection(const ChartPlace& place, const std::vector<Path>& into_slot, int most)
-        : place_(place), into_slot_(into_slot), most_(most) {}
+    Connection(const ChartPlace& place, const std::vector<Path>& into_slot, int most, const Watching& watch)
+        : place_(place), into_slot_(into_slot), most_(most), watch_(watch) {}
 
     std::vector<Path> best() {
         const Path& first = into_slot_.front();
         const double longest = 0.8 * place_.radius;
-        constexpr int steps = 32;
-        for (const double bend : bends) {
-            for (int i = 0; i <= steps; ++i) {
-                const Path out{first.start, bend / place_.radius, -first.way, longest * i / steps};
-                if (i > 0 && !is_free(place_, out)) break;
-                const Pose at = out.at(out.length);
-                const Path back{at, out.curvature, first.way, out.length};
-                consider({}, at, back, first.way);
-                consider({}, at, back, -first.way);
-            }
-        }
+        std::vector<Path> farther_out = free_pieces(first.start, -first.way, longest, 32);
+        farther_out.insert(farther_out.begin(), {first.start, 0.0, -first.way, 0.0});
+        for (const Path& out : farther_out)
+            for (const double way : {first.way, -first.way}) consider({}, out, way);
         if (!best_.empty()) return best_;
-        for (const double bend : bends) {
-            for (int i = 0; i <= steps; ++i) {
-                const Path out{first.start, bend / place_.radius, -first.way, longest * i / steps};
-                if (i > 0 && !is_free(place_, out)) break;
-                const Pose at = out.at(out.length);
-                const Path back{at, out.curvature, first.way, out.length};
-                for (const double other_bend : bends) {
-                    for (int k = 1; k <= 16; ++k) {
-                        for (const double way : {1.0, -1.0}) {
-                            const Path before{place_.start, other_bend / place_.radius, way, longest / 2.0 * k / 16.0};
-                            if (is_free(place_, before)) consider({before}, at, back, -way);
-                        }
-                    }
-                }
-            }
-        }
+        for (const double way : {1.0, -1.0})
+            for (const Path& before : free_pieces(place_.start, way, longest / 2.0, 16))
+                for (const Path& out : farther_out) consider({before}, out, -way);
         return best_;
     }
 
 private:
-    static constexpr double bends[] = {1.0, 0.75, 0.5, 0.25, 0.0, -0.25, -0.5, -0.75, -1.0};
+    /// Of several bends and lengths, as far as nothing is met.
+    std::vector<Path> free_pieces(const Pose& from, double way, double longest, int steps) const {
+        std::vector<Path> free;
+        for (const double bend : {1.0, 0.75, 0.5, 0.25, 0.0, -0.25, -0.5, -0.75, -1.0}) {
+            for (int i = 1; i <= steps; ++i) {
+                const Path piece{from, bend / place_.radius, way, longest * i / steps};
+                if (!is_free(place_, piece)) break;
+                free.push_back(piece);
+            }
+        }
+        return free;
+    }
 
-    /// From where the pieces before end to `at`, and in.
-    void consider(const std::vector<Path>& before, const Pose& at, const Path& back, double way) {
+    /// From where the pieces before end to the end of `out`, back along it, and in.
+    void consider(const std::vector<Path>& before, const Path& out, double way) {
+        watch_();
         const Pose from = before.empty() ? place_.start : before.back().at(before.back().length);
+        const Pose at = out.at(out.length);
         for (const std::vector<Path>& between : shortest_ways(from, at, way, place_.radius)) {
             std::vector<Path> all = before;
             all.insert(all.end(), between.begin(), between.end());
-            if (back.length > 0.0) all.push_back(back);
+            if (out.length > 0.0) all.push_back({at, out.curvature, -out.way, out.length});
             double length = 0.0;
             for (const Path& piece : all) length += piece.length;
             all.insert(all.end(), into_slot_.begin(), into_slot_.end());
@@ -248,6 +246,7 @@ private:
     const ChartPlace& place_;
     const std::vector<Path>& into_slot_;
     int most_;
+    const Watching& watch_;
     double length_ = 0.0;
     std::vector<Path> best_;
 };
@@ -319,8 +318,9 @@ std::vector<Path> SlotInPlace::from_mouth(int most, const Watching& watching) co
     return into_slot;
 }
 
-std::vector<Path> from_start(const ChartPlace& place, const std::vector<Path>& from_mouth, int most) {
-    return Connection(place, from_mouth, most).best();
+std::vector<Path> from_start(const ChartPlace& place, const std::vector<Path>& from_mouth, int most,
+                             const Watching& watch) {
+    return Connection(place, from_mouth, most, watch).best();
 }
 
 }  // namespace snug::detail::sets

@@ -33,7 +33,8 @@ struct SlotInPlace {
 };
 
 /// A way from the start that goes on as one from the mouth does, with at most so many changes; empty if none is found.
-std::vector<Path> from_start(const ChartPlace& place, const std::vector<Path>& from_mouth, int most);
+std::vector<Path> from_start(const ChartPlace& place, const std::vector<Path>& from_mouth, int most,
+                             const Watching& watch);
 
 /// If the car is to park in a rectangle, parallel to a curb behind it and beside a neighbour, both as long as the region.
 std::optional<SlotInPlace> slot_in(const Car& car, const Place& place, const Pose& start, double clearance,

@@ -60,4 +60,20 @@ void drive_out(const Case& asked, const snug::detail::sets::Chart& chart, Random
     }
 }
 
+/// Driven out at random, and where the car gets to is the start: it parks from there with as many changes, which are returned;
+/// -1 where it gets nowhere. It stops where its heading is farther off than is covered from every start.
+inline int start_where_driven(Case& asked, Random& random) {
+    snug::detail::sets::Chart chart;
+    static_cast<void>(snug::detail::sets::chart_place(asked.car, asked.place, asked.start, 0.0, chart));
+    const double parked = std::get<snug::ParkedInside>(asked.place.parked()).heading;
+    int changes = -1;
+    drive_out(asked, chart, random, random.whole(1, 8), [&](const snug::Pose& pose, const snug::Pose&, int k, bool) {
+        if (std::abs(std::remainder(pose.heading - parked, 6.283185307179586)) > 1.0) return false;
+        asked.start = pose;
+        changes = k;
+        return true;
+    });
+    return changes;
+}
+
 }  // namespace park_test

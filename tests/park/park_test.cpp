@@ -110,17 +110,7 @@ TEST(Park, NoRealManeuverBeatsTheLowerBound) {
     for (int i = 0; i < count; ++i) {
         Case asked = random_case(5'000'000 + static_cast<std::uint64_t>(i));
         Random random(9'000'000 + static_cast<std::uint64_t>(i));
-        snug::detail::sets::Chart chart;
-        static_cast<void>(snug::detail::sets::chart_place(asked.car, asked.place, asked.start, 0.0, chart));
-        const double parked = std::get<snug::ParkedInside>(asked.place.parked()).heading;
-        int changes = -1;
-        // Headings farther off are not covered from every start.
-        drive_out(asked, chart, random, random.whole(1, 8), [&](const Pose& pose, const Pose&, int k, bool) {
-            if (std::abs(std::remainder(pose.heading - parked, 6.283185307179586)) > 1.0) return false;
-            asked.start = pose;
-            changes = k;
-            return true;
-        });
+        const int changes = start_where_driven(asked, random);
         if (changes < 0) continue;
         SCOPED_TRACE("case " + std::to_string(i) + ": " + asked.described);
         snug::ParkOptions options;
