@@ -126,6 +126,22 @@ TEST(Park, NoRealManeuverBeatsTheLowerBound) {
     EXPECT_GT(just_met, 0);
 }
 
+/// To be anywhere in the region, or in a place larger than any slot, is a goal as any other.
+TEST(Park, AGoalMayBeOfAnySize) {
+    const snug::Car car({.width = 1.8, .front = 3.7, .rear = 1.0, .wheelbase = 2.7, .max_steer = 0.6});
+    for (const double size : {20.0, 150.0, 3e6, 1e8}) {
+        SCOPED_TRACE(size);
+        snug::ParkedInside inside;
+        inside.corners = {{3, -2}, {3 + size, -2}, {3 + size, size}, {3, size}};
+        const Place place({{{{{-80, -2}, {80, -2}, {80, -90}, {-80, -90}}, false, "curb", {}}},
+                           inside,
+                           {{-15, -15}, {15, -15}, {15, 15}, {-15, 15}}});
+        const snug::ParkAnswer answer = park(car, place, {-5, 5, 0.1});
+        EXPECT_EQ(answer.direction_changes, 0);
+        EXPECT_TRUE(answer.proved);
+    }
+}
+
 /// A car that stands parked has nothing to do, wherever and however aslant it stands.
 TEST(Park, ACarThatStandsParkedStays) {
     const int count = snug::test::sample(20, 1000);
