@@ -220,8 +220,9 @@ std::string slivers(const Answer& answer) {
 
 /// What is proved about entry headings; nothing where no proof was asked for, or where the car has no room to begin with.
 std::string proof(const EntryQuestion& question, const Answer& answer) {
+    if (!question.options.prove) return "";
     const Shortfall lacks = shortfall(question.car, question.slot, question.options.driving);
-    if (!question.options.prove || lacks.length > 0.0 || lacks.width > 0.0) return "";
+    if (lacks != Shortfall{} && !answer.parkable() && answer.proved && answer.undecided.empty()) return "";
     const std::string open = slivers(answer);
     const std::string but_for = open.empty() ? "" : ", but for " + open + "\n(--format json lists them)";
     if (answer.proved) {

@@ -41,7 +41,7 @@ struct OneSlot {
     double width = 0.0;
     std::optional<int> changes;  ///< the fewest; empty when there are none
     int most_changes = 0;        ///< tried
-    Shortfall lacking;           ///< to hold the car at all, with this clearance
+    Shortfall lacking;           ///< to hold the parallel car, with this clearance
     double clearance = 0.0;      ///< [m]
 
     struct Variation {

@@ -62,7 +62,7 @@ std::string one_slot_text(const OneSlot& slot) {
         name(slot.car) + (slot.changes ? " fits" : " does not fit") + " the " + fixed(slot.length, 3) + " x " +
         fixed(slot.width, 3) + " m slot" +
         (slot.changes ? " with " + changes(*slot.changes) : "\nwith up to " + changes(slot.most_changes)) + ".\n";
-    if (const std::string lacking = words(slot.lacking, slot.clearance); !lacking.empty())
+    if (const std::string lacking = words(slot.lacking, slot.clearance); !slot.changes && !lacking.empty())
         text += "  It is " + lacking + ".\n";
     for (const OneSlot::Variation& variation : slot.variations) {
         const bool easier = variation.changes && variation.changes < slot.changes.value_or(slot.most_changes + 1);

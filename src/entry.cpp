@@ -159,14 +159,20 @@ Answer max_steer_entry(const Car& car, const Slot& slot, const EntryOptions& opt
     return search.finish();
 }
 
+/// Whether the car can stand in the slot as it must be parked, parallel or aslant.
+bool can_stand(const Car& car, const Slot& slot, const EntryOptions& options) {
+    if (shortfall(car, slot, options.driving) == Shortfall{}) return true;
+    const Problem problem = entering_problem(car, slot, options.driving, options.parked);
+    return slot.width() >= least_width(problem, slot.length());
+}
+
 }  // namespace
 
 Answer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
     const MaxSteerOptions drive{options.max_changes.value_or(limits::usual_changes), options.driving, options.parked};
     check(drive);
     check_between("smallest range", options.min_range, 0.0, limits::quarter_turn, " rad");
-    const Shortfall lacks = shortfall(car, slot, options.driving);
-    if (lacks.length > 0.0 || lacks.width > 0.0) {
+    if (!can_stand(car, slot, options)) {
         Answer none;
         none.proved = options.prove;
         if (none.proved) none.lower_bound = options.max_changes.value_or(limits::usual_changes) + 1;
@@ -176,12 +182,8 @@ Answer entry(const Car& car, const Slot& slot, const EntryOptions& options) {
 }
 
 Shortfall shortfall(const Car& car, const Slot& slot, const Driving& driving) {
-    const LeastSlot parallel = least_slot(car, slot, driving);
-    const Shortfall lacks = {std::max(0.0, parallel.length - slot.length()),
-                             std::max(0.0, parallel.width - slot.width())};
-    if (lacks == Shortfall{}) return lacks;
-    const bool stands_aslant = slot.width() >= least_width(entering_problem(car, slot, driving), slot.length());
-    return stands_aslant ? Shortfall{} : lacks;
+    const LeastSlot least = least_slot(car, slot, driving);
+    return {std::max(0.0, least.length - slot.length()), std::max(0.0, least.width - slot.width())};
 }
 
 }  // namespace snug

@@ -30,7 +30,7 @@ struct EntryOptions {
 Answer entry(const Car& car, const Slot& slot, const EntryOptions& options = {});
 
 /// How much a slot lacks to hold the parallel car, with the clearance it keeps from neighbours and curb (none where a neighbour
-/// is set back). [m], 0 if nothing, and where the car can stand aslant.
+/// is set back). [m], 0 if nothing. Where it lacks something the car may still park aslant, as in a short but deep slot.
 struct Shortfall {
     double length = 0.0;
     double width = 0.0;

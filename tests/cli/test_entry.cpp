@@ -1,5 +1,6 @@
 // The answer of `snug entry`: its form, and that its parts agree with each other. Numbers are checked elsewhere.
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -99,6 +100,23 @@ TEST(Entry, TellsWhatEndingInTheMiddleTakes) {
     EXPECT_NE(run(mid).out.find("centred    after 0.193 m straight back, one change more"), std::string::npos);
     EXPECT_NE(run("entry --car renault-zoe --length 5.5 --width 2.2").out.find("straight ahead, no further change"),
               std::string::npos);
+}
+
+/// Where the parallel car has no room it may park all the same; then nothing says that the slot is too small.
+TEST(Entry, AShortButDeepSlotHoldsALongCarAslant) {
+    const Folder folder;
+    const std::string van = folder.file("van.json");
+    std::ofstream(van) << R"({"width": 2.215, "front": 5.1, "rear": 0.669, "wheelbase": 4.481, "max_steer": 0.502})";
+    const Result entry = run("entry --car " + van + " --length 5.55 --width 7.16");
+    EXPECT_EQ(entry.exit_code, 0);
+    EXPECT_EQ(entry.out.find("too short"), std::string::npos) << entry.out;
+    EXPECT_NE(entry.out.find("Proved: no entry heading needs fewer direction changes"), std::string::npos) << entry.out;
+    const Result smaller = run("min-slot --car " + van + " --length 5.55 --width 7.16");
+    EXPECT_EQ(smaller.exit_code, 0);
+    EXPECT_EQ(smaller.out.find("too short"), std::string::npos) << smaller.out;
+    const Result parallel = run("entry --car " + van + " --length 5.55 --width 7.16 --parked-heading 10");
+    EXPECT_EQ(parallel.exit_code, 1);
+    EXPECT_NE(parallel.out.find("0.219 m too short"), std::string::npos) << parallel.out;
 }
 
 TEST(Entry, PartsOfAnAnswerAgree) {

@@ -24,7 +24,7 @@ function tooSmall(snug: Snug, inputs: Inputs) {
     const parts = [];
     if (lacks.length > 0) parts.push(`${lacks.length.toFixed(3)} m too short`);
     if (lacks.width > 0) parts.push(`${lacks.width.toFixed(3)} m too narrow`);
-    return parts.length > 0 ? `The slot is ${parts.join(" and ")} to hold the car at all.` : "";
+    return parts.length > 0 ? `The slot is ${parts.join(" and ")} for the parallel car.` : "";
 }
 
 function sayRoom({ side }: Inputs, { length, swept }: Maneuver) {
