@@ -149,9 +149,11 @@ struct BandBuilder {
     Band band;
     double grows;
 
-    explicit BandBuilder(double out) : grows(out) {
+    BandBuilder(double out, std::size_t edges) : grows(out) {
         band.from = -std::numeric_limits<double>::infinity();
         band.to = -band.from;
+        band.lower.reserve(edges);
+        band.upper.reserve(edges);
     }
     void add(const Point& normal, double offset) {
         if (std::abs(normal.y) <= upright) {
@@ -202,19 +204,22 @@ Bands bands(const ChartPlace& place, double sine, double h) {
     }
     const auto turned = [&](const std::vector<Point>& shape) {
         std::vector<Point> there;
+        there.reserve(shape.size());
         for (const Point& p : shape) there.push_back(rotated(p, s, c));
         return there;
     };
     std::vector<std::vector<Point>> shapes;
+    shapes.reserve(place.shapes.size());
     for (const std::vector<Point>& shape : place.shapes) shapes.push_back(turned(shape));
     const std::vector<Point> frame = turned(place.frame);
 
     Bands all;
+    all.solids.reserve(place.solids.size());
     for (const ChartPlace::Solid& solid : place.solids) {
         // Where the axle is when the car touches: the solid widened by the car. Its edges belong to one or the other.
         const std::vector<Point>& car = shapes[solid.stops];
-        BandBuilder widened(-1.0);
         const std::size_t n = solid.corners.size();
+        BandBuilder widened(-1.0, n + car.size());
         for (std::size_t i = 0; i < n; ++i) {
             const Point &from = solid.corners[i], &to = solid.corners[(i + 1) % n];
             const double along = angles::hypot(to.x - from.x, to.y - from.y);
@@ -240,13 +245,13 @@ Bands bands(const ChartPlace& place, double sine, double h) {
         widened.close();
         all.solids.push_back(std::move(widened.band));
     }
-    BandBuilder region(1.0);
+    BandBuilder region(1.0, place.region.size());
     for (const HalfPlane& edge : place.region)
         region.add(edge.normal, edge.offset + spread.half * std::abs(edge.normal.x));
     region.close();
     all.region = std::move(region.band);
 
-    BandBuilder parked(1.0);
+    BandBuilder parked(1.0, place.parked.size());
     const double within = h / (2.0 * place.radius);
     if (sine + within < place.parked_from || sine - within > place.parked_to) {
         parked.band.to = parked.band.from;

@@ -92,6 +92,7 @@ InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const L
     spans.store();
     first_column_ -= 2;
     last_column += 2;
+    columns_.reserve(static_cast<std::size_t>(last_column - first_column_) + 1);
     for (int d = first_column_; d <= last_column; ++d) {
         const double s = std::clamp(sine(d), -1.0, 1.0);
         level_.push_back(radius_ * std::sqrt((1.0 - s) * (1.0 + s)));

@@ -30,6 +30,17 @@ public:
         layer_.low.back() = low;
         layer_.high.back() = high;
     }
+    /// The same for a stretch of a row.
+    void add(int row, int first_cell, const Micro* low, const Micro* high, std::size_t count) {
+        std::size_t begin = 0;
+        while (begin < count && low[begin] > high[begin]) ++begin;
+        while (begin < count && low[count - 1] > high[count - 1]) --count;
+        if (begin == count) return;
+        add(row, first_cell + static_cast<int>(begin), low[begin], high[begin]);
+        layer_.spans.rows.back().to = first_cell + static_cast<int>(count) - 1;
+        layer_.low.insert(layer_.low.end(), low + begin + 1, low + count);
+        layer_.high.insert(layer_.high.end(), high + begin + 1, high + count);
+    }
     Layer done() {
         layer_.spans.cells = layer_.low.size();
         layer_.low.resize(layer_.spans.cells + vector_padding, nowhere);

@@ -118,19 +118,25 @@ Pairs laid_out(const Pairs& pairs, const Limits& limits, const Limits& part) {
 Limits OuterLattice::within(const Pairs& pairs, const Limits& limits, Direction direction) const {
     const Numbers& of = numbers(direction);
     Limits all;
+    std::vector<Micro> lows, highs;
     for (std::size_t k = 0; k < limits.size(); ++k) {
         const Layer& layer = limits[k];
         LayerBuilder mine;
         for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
             const Span span = layer.spans.of(row);
-            for (int cell = span.from; cell <= span.to; ++cell) {
-                const std::size_t at = span.at(cell);
-                const Micro z = pairs.layers[k].z[at], w = pairs.layers[k].w[at];
-                if (z == -nowhere) continue;
-                const Micro low = std::max(layer.low[at], w + *of.down.at(row, cell));
-                const Micro high = std::min(layer.high[at], z + *of.up.at(row, cell));
-                if (low <= high) mine.add(row, cell, low, high);
+            if (span.empty()) continue;
+            const auto count = static_cast<std::size_t>(span.to - span.from) + 1;
+            lows.resize(count);
+            highs.resize(count);
+            const Micro *z = pairs.layers[k].z.data() + span.begin, *w = pairs.layers[k].w.data() + span.begin;
+            const Micro *free_low = layer.low.data() + span.begin, *free_high = layer.high.data() + span.begin;
+            const Micro *up = of.up.at(row, span.from), *down = of.down.at(row, span.from);
+            for (std::size_t i = 0; i < count; ++i) {
+                const Micro low = std::max(free_low[i], w[i] + down[i]), high = std::min(free_high[i], z[i] + up[i]);
+                lows[i] = low <= high ? low : nowhere;
+                highs[i] = low <= high ? high : -nowhere;
             }
+            mine.add(row, span.from, lows.data(), highs.data(), count);
         }
         all.push_back(mine.done());
     }

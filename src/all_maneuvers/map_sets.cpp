@@ -57,7 +57,7 @@ bool OuterMap::sweep_on(const Watching& watch) {
     BothWays<Pairs>& now = sweeping_->now;
     const bool first = most_ < 0;
     BothWays<Pairs> next = next_moves(sweeping_->lattice, first ? nullptr : &now.forward.back(),
-                                      first ? nullptr : &now.backward.back(), false, watch);
+                                      first ? nullptr : &now.backward.back(), watch);
     complete_ = true;
     for (const Direction direction : both_directions) {
         for (std::size_t m = 0; m < spans_.size(); ++m) {
@@ -203,7 +203,7 @@ void InnerMap::finish() {
     changed_ = {};
     reached_ = {};
     taken_ = {};
-    lows_ = highs_ = {};
+    solids_ = {};
     intervals_.shrink_to_fit();
 }
 
@@ -258,39 +258,10 @@ std::vector<Band> InnerMap::measure_columns(const Watching& watch) {
 }
 
 void InnerMap::measure(Kind kind, int column, const Bands& bands) {
-    // Line by line over all rows of the column, so that it is done in vectors.
     const int first = first_row_ + 2 + ((first_row_ ^ column) & 1), last = last_row_ - 2;
     const auto rows = static_cast<std::size_t>(std::max(0, (last - first) / 2 + 1));
-    std::vector<double>& low = lows_;
-    std::vector<double>& high = highs_;
-    low.assign(bands.solids.size() * rows, -std::numeric_limits<double>::infinity());
-    high.assign(low.size(), std::numeric_limits<double>::infinity());
-    struct Part {
-        std::size_t from, to;
-    };
-    std::vector<Part> parts;
-    for (std::size_t k = 0; k < bands.solids.size(); ++k) {
-        const Band& solid = bands.solids[k];
-        const auto row_at = [&](double at, auto&& rounded) {
-            const double i = rounded((at - x(first)) / h_);
-            return static_cast<std::size_t>(std::clamp(i, 0.0, static_cast<double>(rows)));
-        };
-        const Part part = {row_at(solid.from, [](double i) { return std::floor(i); }),
-                           row_at(solid.to, [](double i) { return std::ceil(i) + 1.0; })};
-        parts.push_back(part);
-        const double x0 = x(first);
-        double *lower = low.data() + k * rows, *upper = high.data() + k * rows;
-        for (const Band::Line& line : solid.lower) {
-            const double at = line.at_0 + line.slope * x0, step = line.slope * h_;
-            for (std::size_t i = part.from; i < part.to; ++i)
-                lower[i] = std::max(lower[i], at + step * static_cast<double>(static_cast<int>(i)));
-        }
-        for (const Band::Line& line : solid.upper) {
-            const double at = line.at_0 + line.slope * x0, step = line.slope * h_;
-            for (std::size_t i = part.from; i < part.to; ++i)
-                upper[i] = std::min(upper[i], at + step * static_cast<double>(static_cast<int>(i)));
-        }
-    }
+    solids_.resize(bands.solids.size());
+    for (std::size_t k = 0; k < solids_.size(); ++k) solids_[k].measure(bands.solids[k], x(first), h_, rows);
     for (std::size_t i = 0; i < rows; ++i) {
         const int row = first + 2 * static_cast<int>(i);
         const std::size_t node = index(row, cell_of(column));
@@ -300,10 +271,8 @@ void InnerMap::measure(Kind kind, int column, const Bands& bands) {
         else if (free_[at_node][node].count == 0)
             continue;
         taken_.clear();
-        for (std::size_t k = 0; k < parts.size(); ++k) {
-            if (i < parts[k].from || i >= parts[k].to || x(row) < bands.solids[k].from || x(row) > bands.solids[k].to)
-                continue;
-            const Interval solid = {low[k * rows + i], high[k * rows + i]};
+        for (const BandAlong& along : solids_) {
+            const Interval solid = along.at(i);
             if (solid.low < solid.high && solid.high > within.low && solid.low < within.high) taken_.push_back(solid);
         }
         free_[kind][node] = free_between(within, wary, taken_, intervals_);

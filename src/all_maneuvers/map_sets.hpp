@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "all_maneuvers/chart.hpp"
+#include "all_maneuvers/free_along.hpp"
 #include "all_maneuvers/inner_sets.hpp"
 #include "all_maneuvers/outer_sets.hpp"
 #include "all_maneuvers/packing.hpp"
@@ -183,7 +184,7 @@ private:
     BothWays<std::vector<Logged>> logs_;  ///< by level
     std::vector<InnerSet::Few> sets_[2];
     std::vector<Interval> reached_, taken_;
-    std::vector<double> lows_, highs_;
+    std::vector<BandAlong> solids_;
     std::vector<std::uint8_t> changed_;
 };
 

@@ -200,7 +200,7 @@ private:
 
 /// The moves with so many changes, one forward and one backward, from those with one less, if there are any. Nothing is clipped.
 BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,
-                           bool from_start, const Watching& watch);
+                           const Watching& watch);
 bool same(const Pairs& one, const Pairs& two);
 
 }  // namespace snug::detail::sets

@@ -7,6 +7,7 @@
 
 #include "all_maneuvers/few_pieces.hpp"
 #include "all_maneuvers/inner_sets.hpp"
+#include "all_maneuvers/map_sets.hpp"
 #include "all_maneuvers/route.hpp"
 #include "model/angles.hpp"
 #include "model/polygon.hpp"
@@ -15,23 +16,52 @@ namespace snug::detail::sets {
 
 namespace {
 
+std::size_t bytes_of(const Layer& layer) { return (layer.low.size() + layer.high.size()) * sizeof(Micro); }
+std::size_t bytes_of(const Limits& limits) {
+    std::size_t bytes = 0;
+    for (const Layer& layer : limits) bytes += bytes_of(layer);
+    return bytes;
+}
+
+bool holds_nothing(const Limits& limits) {
+    return std::all_of(limits.begin(), limits.end(), [](const Layer& layer) { return layer.spans.cells == 0; });
+}
+
+/// More memory would be needed than anybody expects; what is known by then stands.
+struct TooLarge {};
+constexpr std::size_t most_bytes = 260'000'000;  ///< of sets, while they are computed
+
+/// Whether the sets of so many changes, both ways, can be held several times over.
+bool fit(const OuterLattice& lattice, int changes) {
+    return bytes_of(lattice.free()) * 6 * static_cast<std::size_t>(changes + 1) <= most_bytes;
+}
+
 /// With how many changes the sets around the parked poses reach the start: no maneuver has fewer.
 struct Counted {
     int changes = 0;          ///< more than `most` when they do not
     bool impossible = false;  ///< they never will
+    BothWays<Pairs> sets;     ///< with none, with one, and so on, if they fit
 };
 Counted count_from_below(const OuterLattice& lattice, int most, const Watching& watch) {
-    BothWays<Pairs> now;
-    for (int k = 0; k <= most; ++k) {
-        BothWays<Pairs> next = next_moves(lattice, k > 0 ? &now.forward.back() : nullptr,
-                                          k > 0 ? &now.backward.back() : nullptr, false, watch);
-        for (const Direction direction : both_directions)
-            if (lattice.holds_start(next.of(direction).back(), lattice.free(), direction)) return {k, false};
-        if (k > 0 && same(next.forward.back(), now.forward.back()) && same(next.backward.back(), now.backward.back()))
-            return {most + 1, true};
-        now = std::move(next);
+    Counted counted;
+    auto& [forward, backward] = counted.sets;
+    for (; counted.changes <= most; ++counted.changes) {
+        const bool first = forward.empty();
+        BothWays<Pairs> next =
+            next_moves(lattice, first ? nullptr : &forward.back(), first ? nullptr : &backward.back(), watch);
+        counted.impossible =
+            !first && same(next.forward.back(), forward.back()) && same(next.backward.back(), backward.back());
+        if (!fit(lattice, counted.changes)) forward.clear(), backward.clear();
+        bool reached = false;
+        for (const Direction direction : both_directions) {
+            reached = reached || lattice.holds_start(next.of(direction).back(), lattice.free(), direction);
+            counted.sets.of(direction).push_back(std::move(next.of(direction).back()));
+        }
+        if (reached || counted.impossible) break;
     }
-    return {most + 1, false};
+    if (!fit(lattice, counted.changes)) counted.sets = {};
+    if (counted.impossible) counted.changes = most + 1;
+    return counted;
 }
 
 /// What is left of a lattice when only maneuvers with so many changes count: where the car can be in every move of leaving.
@@ -47,17 +77,6 @@ Layer hull_of(const BothWays<Limits>& moves) {
         for (const Limits& limits : moves.of(direction)) several.push_back(&limits);
     return hull(several);
 }
-
-std::size_t bytes_of(const Layer& layer) { return (layer.low.size() + layer.high.size()) * sizeof(Micro); }
-std::size_t bytes_of(const Limits& limits) {
-    std::size_t bytes = 0;
-    for (const Layer& layer : limits) bytes += bytes_of(layer);
-    return bytes;
-}
-
-/// More memory would be needed than anybody expects; what is known by then stands.
-struct TooLarge {};
-constexpr std::size_t most_bytes = 260'000'000;  ///< of sets, while they are computed
 
 /// The move that begins with the pairs; the limits are cut down to what it reaches.
 Pairs driven(const OuterLattice& lattice, Pairs pairs, Limits& limits, Direction direction, const Watching& watch) {
@@ -219,6 +238,7 @@ private:
     }
 
     std::optional<Found> find(double grown, Direction last) {
+        if (holds_nothing(left_.moves.of(last).back())) return std::nullopt;
         const ChartPlace place = with_grown_car(place_, grown);
         Found found{grown, InnerLattice(place, left_.h, h0_, left_.hull_of_all, watch_), {}};
         const std::size_t moves = left_.moves.forward.size();
@@ -288,6 +308,26 @@ std::optional<int> changes_along(const ChartPlace& place, double h, double h0, c
     }
     updates += lattice.updates;
     return changes;
+}
+
+constexpr double most_map_cells = 3e5;  ///< about 500 bytes each
+
+/// The way that a map of the place has from the start (map_sets.hpp): seldom the one with the fewest changes, but a map has one
+/// where the arcs between the nodes of as coarse a lattice of sets meet something. Empty if it has none with at most so many.
+std::vector<Path> way_on_map(const ChartPlace& place, double h, int most, const Watching& watch) {
+    const double cells = (place.x_max - place.x_min) * 2.0 * place.radius / (h * h);
+    if (cells > most_map_cells) return {};
+    InnerMap map(place, h, watch);
+    std::optional<Joining> joining;
+    while (!joining && map.most() < most && map.sweep_on(watch)) {
+        map.settle();
+        joining = map.joining(place.start);
+    }
+    if (!joining) return {};
+    std::vector<Path> steps;
+    map.way(place.start, *joining, steps);
+    if (!is_drivable(place, steps)) return {};
+    return with_few_pieces(place, steps);
 }
 
 constexpr int most_looks_at_slot = 3;     ///< each on lattices of four times as many cells as the one before,
@@ -380,7 +420,13 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     const double h0 = question.coarsest;
     const OuterLattice lattice(question.place, h0, h0, nullptr, watch);
     int looks_at_slot = question.slot ? 0 : most_looks_at_slot;
-    bool found_at_slot = false;  ///< the way, so no lattice of sets has it yet
+    bool found_elsewhere = false;  ///< the way, so no lattice of sets has it yet
+    const auto take_from_elsewhere = [&](std::vector<Path> way) {
+        if (way.empty()) return;
+        bounds.upper = changes_of(way);
+        bounds.way = std::move(way);
+        found_elsewhere = true;
+    };
     /// What the slot alone tells, more every time.
     const auto ask_slot = [&] {
         if (looks_at_slot == most_looks_at_slot) return;
@@ -393,17 +439,13 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
             }
             const int most = bounds.upper.value_or(question.max_changes + 1) - 1;
             const std::vector<Path> from_mouth = question.slot->from_mouth(most, watch);
-            std::vector<Path> way;
-            if (!from_mouth.empty()) way = from_start(question.place, from_mouth, most, watch);
-            if (!way.empty()) {
-                bounds.upper = changes_of(way);
-                bounds.way = std::move(way);
-                found_at_slot = true;
-            }
+            if (!from_mouth.empty()) take_from_elsewhere(from_start(question.place, from_mouth, most, watch));
         }
         const int most = bounds.upper.value_or(question.max_changes + 1) - 1;
         bounds.lower = std::max(bounds.lower, question.slot->lower(most, cells, watch));
     };
+    // Outward by number and direction of the last move, and inward from the start, by direction of the last move when leaving.
+    BothWays<Pairs> out, in;
     // Where it takes many changes, they are counted on finer lattices at once: that is cheap, as nothing needs to be kept.
     for (double h = h0; h > 0.999 * question.finest; h /= 2.0) {
         if (h < h0 && bounds.lower < many_changes) break;
@@ -412,39 +454,45 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         std::optional<OuterLattice> finer;
         if (h < h0) finer.emplace(question.place, h, h0, nullptr, watch);
         const OuterLattice& here = finer ? *finer : lattice;
-        const Counted counted = count_from_below(here, question.max_changes, watch);
+        Counted counted = count_from_below(here, question.max_changes, watch);
         bounds.updates += std::exchange(here.updates, 0);
         bounds.spacing = h;
         bounds.lower = std::max(bounds.lower, counted.changes);
         bounds.impossible = counted.impossible;
         if (bounds.impossible) bounds.lower = question.max_changes + 1;
         if (bounds.lower > question.max_changes) return;
+        if (h == h0) out = std::move(counted.sets);
     }
-    BothWays<Pairs> out, in;
+    if (out.forward.empty()) out = next_moves(lattice, nullptr, nullptr, watch);
     bounds.spacing = h0;
 
     const auto left_with = [&](int changes) {
-        const auto deepen = [&](BothWays<Pairs>& sets, bool from_start) {
-            while (static_cast<int>(sets.forward.size()) <= changes) {
-                const bool first = sets.forward.empty();
-                BothWays<Pairs> next = next_moves(lattice, first ? nullptr : &sets.forward.back(),
-                                                  first ? nullptr : &sets.backward.back(), from_start, watch);
-                for (const Direction direction : both_directions)
-                    sets.of(direction).push_back(std::move(next.of(direction).front()));
-            }
-        };
-        // Outward, inward, and what is left: of all moves in both directions.
-        if (bytes_of(lattice.free()) * 6 * static_cast<std::size_t>(changes + 1) > most_bytes) throw TooLarge{};
-        deepen(out, false);
-        deepen(in, true);
+        if (!fit(lattice, changes)) throw TooLarge{};
+        while (static_cast<int>(out.forward.size()) <= changes) {
+            BothWays<Pairs> next = next_moves(lattice, &out.forward.back(), &out.backward.back(), watch);
+            for (const Direction direction : both_directions)
+                out.of(direction).push_back(std::move(next.of(direction).front()));
+        }
         Left left;
         left.h = h0;
         const auto last = static_cast<std::size_t>(changes);
-        for (const Direction direction : both_directions) {
-            for (std::size_t k = 0; k <= last; ++k) {
+        for (const Direction direction : both_directions) left.moves.of(direction).resize(last + 1);
+        for (const Direction at_last : both_directions) {
+            if (!lattice.holds_start(out.of(at_last)[last], lattice.free(), at_last)) continue;
+            // From the start; driving forward when leaving is driving backward when parking.
+            std::vector<Pairs>& moves = in.of(at_last);
+            Direction direction = at_last;
+            for (std::size_t k = last + 1; k-- > 0; direction = other(direction)) {
+                const std::size_t i = last - k;
+                if (i == moves.size()) {
+                    Pairs pairs = i == 0 ? lattice.begin_at_start(lattice.free(), other(direction))
+                                         : lattice.turn(moves.back(), lattice.free(), lattice.free(), other(direction));
+                    lattice.sweep(pairs, lattice.free(), other(direction), watch);
+                    moves.push_back(std::move(pairs));
+                }
                 const Limits reached = lattice.within(out.of(direction)[k], lattice.free(), direction);
-                const Pairs back = laid_out(in.of(other(direction))[last - k], lattice.free(), reached);
-                left.moves.of(direction).push_back(lattice.within(back, reached, other(direction)));
+                const Pairs back = laid_out(moves[i], lattice.free(), reached);
+                left.moves.of(direction)[k] = lattice.within(back, reached, other(direction));
             }
         }
         left.hull_of_all = hull_of(left.moves);
@@ -454,10 +502,10 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         std::vector<Path> way = WaySearch(question.place, h0, left, watch, bounds.updates).any();
         if (way.empty()) return false;
         const int changes = changes_of(way);
-        if (!bounds.upper || changes < *bounds.upper || found_at_slot) {
+        if (!bounds.upper || changes < *bounds.upper || found_elsewhere) {
             bounds.upper = changes;
             bounds.way = std::move(way);
-            found_at_slot = false;
+            found_elsewhere = false;
         }
         return true;
     };
@@ -479,7 +527,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     const auto finish = [&] {
         if (!question.roomiest || !bounds.upper) return;
         // What only just gets out of the slot is not what people would drive: sets may hold a better way.
-        for (double h = h0; found_at_slot && h > 1.9 * question.finest; h /= 2.0) {
+        for (double h = h0; found_elsewhere && h > 1.9 * question.finest; h /= 2.0) {
             std::optional<Left> left;
             try {
                 left = left_for(*bounds.upper, h);
@@ -487,7 +535,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
             }
             if (!left) break;
             found_at = h;
-            found_at_slot = !try_way(*left);
+            found_elsewhere = !try_way(*left);
         }
         // A lattice that just holds a way may not hold one that keeps a distance, but the next one may.
         std::vector<Path> way;
@@ -525,9 +573,11 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
                 break;
             }
             left.reset();
+            if (!bounds.upper && h == h0)
+                take_from_elsewhere(way_on_map(question.place, h0, question.max_changes, watch));
             // None found with as few as the lower bound: how many may it take?
             int changes = bounds.lower + 1;
-            if (!bounds.upper && h > 0.3 * h0) {
+            if ((!bounds.upper || found_elsewhere) && h > 0.3 * h0) {
                 const OuterLattice all(question.place, h, h0, nullptr, watch);
                 const int most = std::min(question.max_changes, bounds.lower + far_above);
                 changes = std::max(
