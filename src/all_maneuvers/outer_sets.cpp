@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "all_maneuvers/free_along.hpp"
-#include "all_maneuvers/layer_builder.hpp"
 #include "all_maneuvers/set_sweep.hpp"
 #include "model/angles.hpp"
 
@@ -13,52 +11,7 @@ namespace snug::detail::sets {
 
 namespace {
 
-constexpr std::size_t most_layers = 6;  ///< of a cell; where there are more, the nearest are taken together
-constexpr Micro coarse_grid = 512;      ///< to which direction changes are rounded: 0.12 mm
-
-// Of what lies within farthest_y, or so.
-Micro rounded_down(double metres) {
-    const double exact = metres / micro - 1e-3;
-    const auto cut_off = static_cast<Micro>(exact);
-    return static_cast<double>(cut_off) > exact ? cut_off - 1 : cut_off;
-}
-Micro rounded_up(double metres) { return -rounded_down(-metres); }
-
-/// The longest first; where there are more than layers, the nearest are taken together.
-void sort_into_layers(std::vector<Interval>& gaps) {
-    while (gaps.size() > most_layers) {
-        std::size_t nearest = 0;
-        for (std::size_t k = 1; k + 1 < gaps.size(); ++k)
-            if (gaps[k + 1].low - gaps[k].high < gaps[nearest + 1].low - gaps[nearest].high) nearest = k;
-        gaps[nearest].high = gaps[nearest + 1].high;
-        gaps.erase(gaps.begin() + static_cast<std::ptrdiff_t>(nearest) + 1);
-    }
-    std::sort(gaps.begin(), gaps.end(),
-              [](const Interval& a, const Interval& b) { return a.high - a.low > b.high - b.low; });
-}
-
-/// Cells of some rows, filled in any order.
-class Block {
-public:
-    void put(std::size_t cell, const Interval& interval, std::size_t cells) {
-        if (low_.empty()) {
-            low_.assign(cells, nowhere);
-            high_.assign(cells, -nowhere);
-        }
-        low_[cell] = rounded_down(interval.low);
-        high_[cell] = rounded_up(interval.high);
-    }
-    /// Leaves nothing here.
-    void move_to(LayerBuilder& layer, int first_row, int first_cell, std::size_t width) {
-        for (std::size_t begin = 0; begin < low_.size(); begin += width)
-            layer.add(first_row++, first_cell, low_.data() + begin, high_.data() + begin, width);
-        low_.clear();
-        high_.clear();
-    }
-
-private:
-    std::vector<Micro> low_, high_;
-};
+constexpr Micro coarse_grid = 512;  ///< to which direction changes are rounded: 0.12 mm
 
 double clamped(double sine) { return std::clamp(sine, -steepest_sine, steepest_sine); }
 double tangent_of(double sine) { return sine / cosine_of(sine); }
@@ -138,118 +91,6 @@ void OuterLattice::number_columns() {
     fill(backward_.from_right, [&](int d) { return rounded_down(-h_ * t_high(d + 1)); });
     fill(backward_.turn_z, [&](int d) { return rounded_up(h_ * t_high(d)); });
     fill(backward_.turn_w, [&](int d) { return rounded_down(h_ * t_low(d)); });
-}
-
-void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const Watching& watch) {
-    // Columns that have a heading of the chart in them.
-    int first_column = first_column_, last_column = last_column_;
-    while (sine(first_column) + sine_step_ < -steepest_sine) ++first_column;
-    while (sine(last_column) - sine_step_ > steepest_sine) --last_column;
-    std::vector<Bands> columns;
-    columns.reserve(static_cast<std::size_t>(last_column - first_column) + 1);
-    for (int d = first_column; d <= last_column; ++d) {
-        columns.push_back(bands_of_cell(place, sine(d), h_));
-        watch();
-    }
-    int first_row = static_cast<int>(std::floor((place.x_min - h_ - x0_) / (h_ / 2.0)));
-    int last_row = static_cast<int>(std::ceil((place.x_max + h_ - x0_) / (h_ / 2.0)));
-    if (coarser) {
-        if (coarser->spans.rows.empty()) last_row = first_row - 1;
-        first_row = std::max(first_row, 2 * coarser->spans.first);
-        last_row = std::min(last_row, 2 * coarser->spans.last() + 2);
-    }
-    // The columns of a row that may be free.
-    const auto wanted = [&](int row) {
-        Span of_row = {first_column, last_column, 0};
-        if (coarser) {
-            // Children of parent (S, D): columns 2 D in rows 2 S and 2 S + 2, columns 2 D - 1 and 2 D + 1 in row 2 S + 1.
-            int least = last_column + 1, most = first_column - 1;
-            const auto parents = [&](int parent_row, int beside) {
-                const Span span = coarser->spans.of(parent_row);
-                if (span.empty()) return;
-                least = std::min(least, 2 * column_of(parent_row, span.from) - beside);
-                most = std::max(most, 2 * column_of(parent_row, span.to) + beside);
-            };
-            if ((row & 1) == 0) {
-                parents(row / 2, 0);
-                parents(row / 2 - 1, 0);
-            } else {
-                parents((row - 1) >> 1, 1);
-            }
-            of_row.from = std::max(of_row.from, least);
-            of_row.to = std::min(of_row.to, most);
-        }
-        return of_row;
-    };
-    // What is left of the lattice twice as coarse in a cell.
-    const auto left_of = [&](int row, int d) {
-        if (!coarser) return Interval{-farthest_y, farthest_y};
-        const int i = ((row - d) / 2) >> 1, j = ((row + d) / 2) >> 1;
-        const Span span = coarser->spans.of(i + j);
-        const int cell = cell_of(j - i);
-        if (cell < span.from || cell > span.to) return Interval{farthest_y, -farthest_y};
-        return Interval{coarser->low[span.at(cell)] * micro, coarser->high[span.at(cell)] * micro};
-    };
-    LayerBuilder found[most_layers], found_parked[most_layers];
-    if (!coarser)
-        found[0].expect(static_cast<std::size_t>(last_row - first_row + 1) *
-                        static_cast<std::size_t>(last_column - first_column + 2) / 2);
-    // Column by column, some rows at once, so that bands are measured in vectors; layers are made row by row.
-    constexpr int rows_at_once = 128;
-    const int first_cell = cell_of(first_column);
-    const auto width = static_cast<std::size_t>(cell_of(last_column) - first_cell) + 1;
-    Block free_block[most_layers], parked_block[most_layers];
-    std::vector<Span> columns_in(rows_at_once);
-    FreeAlong free;
-    BandAlong parked;
-    std::vector<Interval> gaps;
-    for (int block = first_row; block <= last_row; block += rows_at_once) {
-        watch();
-        const int block_end = std::min(block + rows_at_once - 1, last_row);
-        Span all;
-        for (int row = block; row <= block_end; ++row) {
-            const Span span = columns_in[static_cast<std::size_t>(row - block)] = wanted(row);
-            if (!span.empty())
-                all = all.empty() ? span : Span{std::min(all.from, span.from), std::max(all.to, span.to), 0};
-        }
-        for (int d = all.from; d <= all.to; ++d) {
-            const auto wants = [&](int row) {
-                const Span& span = columns_in[static_cast<std::size_t>(row - block)];
-                return span.from <= d && d <= span.to;
-            };
-            int from = block + ((block ^ d) & 1), to = block_end - ((block_end ^ d) & 1);
-            while (from <= to && !wants(from)) from += 2;
-            while (from <= to && !wants(to)) to -= 2;
-            if (from > to) continue;
-            const Bands& bands = columns[static_cast<std::size_t>(d - first_column)];
-            const auto count = static_cast<std::size_t>(to - from) / 2 + 1;
-            free.measure(bands.region, bands.solids, x(from), h_, count);
-            parked.measure(bands.parked, x(from), h_, count);
-            for (int row = from; row <= to; row += 2) {
-                if (!wants(row)) continue;
-                const auto i = static_cast<std::size_t>(row - from) / 2;
-                free.at(i, left_of(row, d), gaps);
-                if (gaps.empty()) continue;
-                if (gaps.size() > 1) sort_into_layers(gaps);
-                const Interval in_place = parked.at(i);
-                const std::size_t cell =
-                    static_cast<std::size_t>(row - block) * width + static_cast<std::size_t>(cell_of(d) - first_cell);
-                for (std::size_t k = 0; k < gaps.size(); ++k) {
-                    free_block[k].put(cell, gaps[k], rows_at_once * width);
-                    const Interval both = {std::max(in_place.low, gaps[k].low), std::min(in_place.high, gaps[k].high)};
-                    if (both.low <= both.high) parked_block[k].put(cell, both, rows_at_once * width);
-                }
-            }
-        }
-        for (std::size_t k = 0; k < most_layers; ++k) {
-            free_block[k].move_to(found[k], block, first_cell, width);
-            parked_block[k].move_to(found_parked[k], block, first_cell, width);
-        }
-    }
-    for (std::size_t k = 0; k < most_layers && !found[k].empty(); ++k) {
-        free_.push_back(found[k].done());
-        parked_.push_back(found_parked[k].done());
-    }
 }
 
 Pairs OuterLattice::none(const Limits& limits) const {

@@ -29,6 +29,14 @@ constexpr double micro = 0x1p-22;
 constexpr Micro nowhere = 805306368;  ///< 192 m: farther than anything
 constexpr double farthest_y = 100.0;  ///< the region lies within [m]
 
+/// For certain: what rounding adds is less than a thousandth.
+inline Micro rounded_down(double metres) {
+    const double exact = metres / micro - 1e-3;
+    const auto cut_off = static_cast<Micro>(exact);
+    return static_cast<double>(cut_off) > exact ? cut_off - 1 : cut_off;
+}
+inline Micro rounded_up(double metres) { return -rounded_down(-metres); }
+
 /// Of x or y, open at neither end [m].
 struct Interval {
     double low = 0.0, high = 0.0;
