@@ -35,39 +35,6 @@ void tidy(std::vector<Interval>& intervals, std::size_t most) {
     }
 }
 
-InnerSet::Few free_intervals(const std::vector<Band>& solids, double x, const Interval& within, double kept,
-                             std::vector<Interval>& taken, std::vector<Interval>& intervals) {
-    const auto [low, high] = within;
-    taken.clear();
-    for (const Band& solid : solids) {
-        if (x < solid.from || x > solid.to) continue;
-        double from_y = 0.0, to_y = 0.0;
-        solid.at(x, from_y, to_y);
-        if (from_y < to_y && to_y > low && from_y < high) taken.push_back({from_y, to_y});
-    }
-    return free_between(within, kept, taken, intervals);
-}
-
-InnerSet::Few free_between(const Interval& within, double kept, std::vector<Interval>& taken,
-                           std::vector<Interval>& intervals) {
-    InnerSet::Few few = {static_cast<std::uint32_t>(intervals.size()), 0};
-    const auto [low, high] = within;
-    if (low > high) return few;
-    std::sort(taken.begin(), taken.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
-    const auto add = [&](double from_y, double to_y) {
-        if (from_y + kept > to_y - kept) return;
-        intervals.push_back({from_y + kept, to_y - kept});
-        ++few.count;
-    };
-    double begin = low;
-    for (const Interval& interval : taken) {
-        if (interval.low > begin) add(begin, interval.low);
-        begin = std::max(begin, interval.high);
-    }
-    if (begin < high) add(begin, high);
-    return few;
-}
-
 InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const Layer& cells, const Watching& watch)
     : h_(h),
       radius_(place.radius),
@@ -145,7 +112,25 @@ InnerSet::Few InnerLattice::measured(int row, const Span& span, int cell) {
     low = std::max(low, cells_->low[outer] * micro);
     high = std::min(high, cells_->high[outer] * micro);
     if (low > high) return few;
-    few = free_intervals(bands.solids, here, {low, high}, wary, taken_, free_.intervals);
+    taken_.clear();
+    for (const Band& solid : bands.solids) {
+        if (here < solid.from || here > solid.to) continue;
+        double from = 0.0, to = 0.0;
+        solid.at(here, from, to);
+        if (from < to && to > low && from < high) taken_.push_back({from, to});
+    }
+    std::sort(taken_.begin(), taken_.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+    const auto add = [&](double from, double to) {
+        if (from + wary > to - wary) return;
+        free_.intervals.push_back({from + wary, to - wary});
+        ++few.count;
+    };
+    double begin = low;
+    for (const Interval& solid : taken_) {
+        add(begin, solid.low);
+        begin = std::max(begin, solid.high);
+    }
+    add(begin, high);
     return few;
 }
 

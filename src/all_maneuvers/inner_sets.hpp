@@ -56,14 +56,6 @@ struct InnerSet {
 
 constexpr std::uint32_t not_measured = 0xFFFFFFFF;  ///< as a count
 
-/// What solids leave free of an interval, `kept` from every end, added to `intervals`; `taken` is room to work in.
-InnerSet::Few free_intervals(const std::vector<Band>& solids, double x, const Interval& within, double kept,
-                             std::vector<Interval>& taken, std::vector<Interval>& intervals);
-
-/// The same with what is taken given; it is sorted.
-InnerSet::Few free_between(const Interval& within, double kept, std::vector<Interval>& taken,
-                           std::vector<Interval>& intervals);
-
 /// In rising order; overlapping ones become one, of many the longest are kept.
 void tidy(std::vector<Interval>& intervals, std::size_t most);
 

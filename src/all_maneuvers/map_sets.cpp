@@ -202,8 +202,8 @@ void InnerMap::finish() {
     for (std::vector<InnerSet::Few>& sets : sets_) sets = {};
     changed_ = {};
     reached_ = {};
-    taken_ = {};
-    solids_ = {};
+    measured_ = {};
+    gaps_ = {};
     intervals_.shrink_to_fit();
 }
 
@@ -258,24 +258,24 @@ std::vector<Band> InnerMap::measure_columns(const Watching& watch) {
 }
 
 void InnerMap::measure(Kind kind, int column, const Bands& bands) {
+    static const Band everywhere = {-std::numeric_limits<double>::infinity(),
+                                    std::numeric_limits<double>::infinity(),
+                                    {{-farthest_y, 0.0}},
+                                    {{farthest_y, 0.0}}};
     const int first = first_row_ + 2 + ((first_row_ ^ column) & 1), last = last_row_ - 2;
     const auto rows = static_cast<std::size_t>(std::max(0, (last - first) / 2 + 1));
-    solids_.resize(bands.solids.size());
-    for (std::size_t k = 0; k < solids_.size(); ++k) solids_[k].measure(bands.solids[k], x(first), h_, rows);
+    measured_.measure(kind == at_node ? bands.region : everywhere, bands.solids, x(first), h_, rows);
     for (std::size_t i = 0; i < rows; ++i) {
-        const int row = first + 2 * static_cast<int>(i);
-        const std::size_t node = index(row, cell_of(column));
-        Interval within = {-farthest_y, farthest_y};
-        if (kind == at_node)
-            bands.region.at(x(row), within.low, within.high);
-        else if (free_[at_node][node].count == 0)
-            continue;
-        taken_.clear();
-        for (const BandAlong& along : solids_) {
-            const Interval solid = along.at(i);
-            if (solid.low < solid.high && solid.high > within.low && solid.low < within.high) taken_.push_back(solid);
+        const std::size_t node = index(first + 2 * static_cast<int>(i), cell_of(column));
+        if (kind != at_node && free_[at_node][node].count == 0) continue;
+        InnerSet::Few& few = free_[kind][node];
+        few.begin = static_cast<std::uint32_t>(intervals_.size());
+        measured_.at(i, {-farthest_y, farthest_y}, gaps_);
+        for (const Interval& gap : gaps_) {
+            if (gap.low + wary > gap.high - wary) continue;
+            intervals_.push_back({gap.low + wary, gap.high - wary});
+            ++few.count;
         }
-        free_[kind][node] = free_between(within, wary, taken_, intervals_);
     }
 }
 

@@ -183,8 +183,9 @@ private:
     std::vector<Logged> parked_log_;
     BothWays<std::vector<Logged>> logs_;  ///< by level
     std::vector<InnerSet::Few> sets_[2];
-    std::vector<Interval> reached_, taken_;
-    std::vector<BandAlong> solids_;
+    std::vector<Interval> reached_;
+    FreeAlong measured_;
+    std::vector<Interval> gaps_;
     std::vector<std::uint8_t> changed_;
 };
 
