@@ -1,7 +1,6 @@
 #include "all_maneuvers/free_along.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
@@ -10,50 +9,41 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+// Plain loops, which compilers turn into vectors, once for each set of instructions.
 HWY_BEFORE_NAMESPACE();
 namespace snug::detail::sets::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr hn::CappedTag<double, 8> tag;
-
-/// The highest of lines, or the lowest, at places `begin` to `end`. Whole vectors are written.
-template <bool Highest>
-void bound_of(const std::vector<Band::Line>& lines, double first_x, double step, double* bound, std::size_t begin,
-              std::size_t end) {
-    constexpr double unbounded = std::numeric_limits<double>::infinity();
-    for (std::size_t i = begin; i < end; i += hn::Lanes(tag)) {
-        const auto steps = hn::Iota(tag, static_cast<double>(i));
-        const auto x = hn::Add(hn::Set(tag, first_x), hn::Mul(hn::Set(tag, step), steps));
-        auto value = hn::Set(tag, Highest ? -unbounded : unbounded);
-        for (const Band::Line& line : lines) {
-            const auto at = hn::Add(hn::Set(tag, line.at_0), hn::Mul(hn::Set(tag, line.slope), x));
-            value = Highest ? hn::Max(value, at) : hn::Min(value, at);
+/// The highest of lines, and the lowest of others.
+void bounds_of(const Band& band, const double* HWY_RESTRICT x, double* HWY_RESTRICT low, double* HWY_RESTRICT high,
+               std::size_t count) {
+    for (const Band::Line& line : band.lower) {
+        const double at_0 = line.at_0, slope = line.slope;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double at = at_0 + slope * x[i];
+            low[i] = low[i] < at ? at : low[i];
         }
-        hn::StoreU(value, tag, bound + i);
+    }
+    for (const Band::Line& line : band.upper) {
+        const double at_0 = line.at_0, slope = line.slope;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double at = at_0 + slope * x[i];
+            high[i] = at < high[i] ? at : high[i];
+        }
     }
 }
 
-void bounds_of(const Band& band, double first_x, double step, double* low, double* high, std::size_t begin,
-               std::size_t end) {
-    bound_of<true>(band.lower, first_x, step, low, begin, end);
-    bound_of<false>(band.upper, first_x, step, high, begin, end);
-}
-
 /// A solid reaches into a region: what is left is cut, or it is told that it lies within.
-void cut_off(const BandAlong& solid, const BandAlong& region, double* low, double* high, double* lies_within,
-             std::size_t count) {
-    for (std::size_t i = 0; i < count; i += hn::Lanes(tag)) {
-        const auto from = hn::LoadU(tag, solid.lows() + i), to = hn::LoadU(tag, solid.highs() + i);
-        const auto bottom = hn::LoadU(tag, region.lows() + i), top = hn::LoadU(tag, region.highs() + i);
-        const auto touches = hn::And(hn::Lt(from, to), hn::And(hn::Gt(to, bottom), hn::Lt(from, top)));
-        const auto from_below = hn::And(touches, hn::Lt(from, bottom));
-        const auto from_above = hn::AndNot(from_below, hn::And(touches, hn::Gt(to, top)));
-        const auto within = hn::AndNot(hn::Or(from_below, from_above), touches);
-        const auto old_low = hn::LoadU(tag, low + i), old_high = hn::LoadU(tag, high + i);
-        hn::StoreU(hn::IfThenElse(from_below, hn::Max(old_low, to), old_low), tag, low + i);
-        hn::StoreU(hn::IfThenElse(from_above, hn::Min(old_high, from), old_high), tag, high + i);
-        hn::StoreU(hn::IfThenElse(within, hn::Set(tag, 1.0), hn::LoadU(tag, lies_within + i)), tag, lies_within + i);
+void cut_off(const BandAlong& solid, const BandAlong& region, double* HWY_RESTRICT low, double* HWY_RESTRICT high,
+             double* HWY_RESTRICT lies_within, std::size_t count) {
+    const double *HWY_RESTRICT from = solid.low().data(), *HWY_RESTRICT to = solid.high().data();
+    const double *HWY_RESTRICT bottom = region.low().data(), *HWY_RESTRICT top = region.high().data();
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool touches = (from[i] < to[i]) & (to[i] > bottom[i]) & (from[i] < top[i]);
+        const bool from_below = touches & (from[i] < bottom[i]);
+        const bool from_above = touches & !from_below & (to[i] > top[i]);
+        low[i] = from_below & (low[i] < to[i]) ? to[i] : low[i];
+        high[i] = from_above & (from[i] < high[i]) ? from[i] : high[i];
+        lies_within[i] = touches & !from_below & !from_above ? 1.0 : lies_within[i];
     }
 }
 
@@ -66,43 +56,29 @@ namespace snug::detail::sets {
 HWY_EXPORT(bounds_of);
 HWY_EXPORT(cut_off);
 
-namespace {
-
-constexpr std::size_t lanes_at_most = 8;
-
-}  // namespace
-
-void BandAlong::measure(const Band& band, double first_x, double step, std::size_t count) {
+void BandAlong::measure(const Band& band, std::span<const double> x) {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
-    low_.resize(count + lanes_at_most);
-    high_.resize(count + lanes_at_most);
-    const auto x = [&](std::size_t i) { return first_x + step * static_cast<double>(i); };
-    const auto index = [&](double at) {
-        return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(count)));
-    };
-    std::size_t begin = index(std::floor((band.from - first_x) / step));
-    std::size_t end = std::max(begin, index(std::ceil((band.to - first_x) / step) + 1.0));
-    while (begin < end && x(begin) < band.from) ++begin;
-    while (begin < end && x(end - 1) > band.to) --end;
-    double *low = low_.data(), *high = high_.data();
-    HWY_DYNAMIC_DISPATCH(bounds_of)(band, first_x, step, low, high, begin, end);
-    std::fill(low, low + begin, unbounded);
-    std::fill(high, high + begin, -unbounded);
-    std::fill(low + end, low + count, unbounded);
-    std::fill(high + end, high + count, -unbounded);
+    const auto begin = std::lower_bound(x.begin(), x.end(), band.from) - x.begin();
+    const auto end = std::max(begin, std::upper_bound(x.begin(), x.end(), band.to) - x.begin());
+    low_.assign(x.size(), unbounded);
+    high_.assign(x.size(), -unbounded);
+    std::fill(low_.begin() + begin, low_.begin() + end, -unbounded);
+    std::fill(high_.begin() + begin, high_.begin() + end, unbounded);
+    HWY_DYNAMIC_DISPATCH(bounds_of)
+    (band, x.data() + begin, low_.data() + begin, high_.data() + begin, static_cast<std::size_t>(end - begin));
 }
 
-void FreeAlong::measure(const Band& region, const std::vector<Band>& solids, double first_x, double step,
-                        std::size_t count) {
-    region_.measure(region, first_x, step, count);
-    low_.assign(region_.lows(), region_.lows() + count + lanes_at_most);
-    high_.assign(region_.highs(), region_.highs() + count + lanes_at_most);
-    lies_within_.assign(count + lanes_at_most, 0.0);
+void FreeAlong::measure(const Band& region, const std::vector<Band>& solids, std::span<const double> x) {
+    region_.measure(region, x);
+    low_ = region_.low();
+    high_ = region_.high();
+    lies_within_.assign(x.size(), 0.0);
     solids_.resize(solids.size());
     for (std::size_t k = 0; k < solids.size(); ++k) {
-        solids_[k].measure(solids[k], first_x, step, count);
+        BandAlong& solid = solids_[k];
+        solid.measure(solids[k], x);
         HWY_DYNAMIC_DISPATCH(cut_off)
-        (solids_[k], region_, low_.data(), high_.data(), lies_within_.data(), count);
+        (solid, region_, low_.data(), high_.data(), lies_within_.data(), x.size());
     }
 }
 

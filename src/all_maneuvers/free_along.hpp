@@ -1,7 +1,8 @@
-// Where solids stop the car, and what they leave free, at many x at even distances: in vectors.
+// Where solids stop the car, and what they leave free, at many x: in vectors.
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "all_maneuvers/chart.hpp"
@@ -9,14 +10,14 @@
 
 namespace snug::detail::sets {
 
-/// A band at many x. Its memory is used again.
+/// A band at many x in rising order. Its memory is used again.
 class BandAlong {
 public:
-    void measure(const Band& band, double first_x, double step, std::size_t count);
+    void measure(const Band& band, std::span<const double> x);
     /// At the i-th of them; low > high where there is nothing.
     [[nodiscard]] Interval at(std::size_t i) const { return {low_[i], high_[i]}; }
-    [[nodiscard]] const double* lows() const { return low_.data(); }
-    [[nodiscard]] const double* highs() const { return high_.data(); }
+    [[nodiscard]] const std::vector<double>& low() const { return low_; }
+    [[nodiscard]] const std::vector<double>& high() const { return high_; }
 
 private:
     std::vector<double> low_, high_;
@@ -25,7 +26,7 @@ private:
 /// What solids leave free of a region at many x. Its memory is used again.
 class FreeAlong {
 public:
-    void measure(const Band& region, const std::vector<Band>& solids, double first_x, double step, std::size_t count);
+    void measure(const Band& region, const std::vector<Band>& solids, std::span<const double> x);
     /// Of an interval at the i-th of them, in rising order.
     void at(std::size_t i, const Interval& within, std::vector<Interval>& gaps);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "all_maneuvers/free_along.hpp"
@@ -130,6 +131,9 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* left, const Wat
             if (span.empty()) continue;
             all = all.empty() ? span : Span{std::min(all.from, span.from), std::max(all.to, span.to), 0};
         }
+        // By the parity of their rows, as columns have it.
+        std::vector<double> xs[2];
+        for (int row = block; row <= block_end; ++row) xs[row & 1].push_back(x(row));
         for (int d = all.from; d <= all.to; ++d) {
             const auto wanted = [&](int row) { return columns_of(row).from <= d && d <= columns_of(row).to; };
             int from = block + ((block ^ d) & 1), to = block_end - ((block_end ^ d) & 1);
@@ -138,8 +142,9 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* left, const Wat
             if (from > to) continue;
             const Bands& bands = columns[static_cast<std::size_t>(d - first_column)];
             const auto count = static_cast<std::size_t>(to - from) / 2 + 1;
-            free.measure(bands.region, bands.solids, x(from), h_, count);
-            parked.measure(bands.parked, x(from), h_, count);
+            const std::span<const double> at = {xs[d & 1].data() + static_cast<std::size_t>(from - block) / 2, count};
+            free.measure(bands.region, bands.solids, at);
+            parked.measure(bands.parked, at);
             for (int row = from; row <= to; row += 2) {
                 if (!wanted(row)) continue;
                 const auto i = static_cast<std::size_t>(row - from) / 2;

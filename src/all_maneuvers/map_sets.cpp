@@ -204,6 +204,7 @@ void InnerMap::finish() {
     reached_ = {};
     measured_ = {};
     gaps_ = {};
+    xs_ = {};
     intervals_.shrink_to_fit();
 }
 
@@ -264,7 +265,9 @@ void InnerMap::measure(Kind kind, int column, const Bands& bands) {
                                     {{farthest_y, 0.0}}};
     const int first = first_row_ + 2 + ((first_row_ ^ column) & 1), last = last_row_ - 2;
     const auto rows = static_cast<std::size_t>(std::max(0, (last - first) / 2 + 1));
-    measured_.measure(kind == at_node ? bands.region : everywhere, bands.solids, x(first), h_, rows);
+    xs_.clear();
+    for (std::size_t i = 0; i < rows; ++i) xs_.push_back(x(first + 2 * static_cast<int>(i)));
+    measured_.measure(kind == at_node ? bands.region : everywhere, bands.solids, xs_);
     for (std::size_t i = 0; i < rows; ++i) {
         const std::size_t node = index(first + 2 * static_cast<int>(i), cell_of(column));
         if (kind != at_node && free_[at_node][node].count == 0) continue;

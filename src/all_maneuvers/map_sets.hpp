@@ -186,6 +186,7 @@ private:
     std::vector<Interval> reached_;
     FreeAlong measured_;
     std::vector<Interval> gaps_;
+    std::vector<double> xs_;
     std::vector<std::uint8_t> changed_;
 };
 
