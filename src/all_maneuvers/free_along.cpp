@@ -41,9 +41,9 @@ void cut_off(const BandAlong& solid, const BandAlong& region, double* HWY_RESTRI
         const bool touches = (from[i] < to[i]) & (to[i] > bottom[i]) & (from[i] < top[i]);
         const bool from_below = touches & (from[i] < bottom[i]);
         const bool from_above = touches & !from_below & (to[i] > top[i]);
-        low[i] = from_below & (low[i] < to[i]) ? to[i] : low[i];
-        high[i] = from_above & (from[i] < high[i]) ? from[i] : high[i];
-        lies_within[i] = touches & !from_below & !from_above ? 1.0 : lies_within[i];
+        low[i] = (from_below & (low[i] < to[i])) ? to[i] : low[i];
+        high[i] = (from_above & (from[i] < high[i])) ? from[i] : high[i];
+        lies_within[i] = (touches & !from_below & !from_above) ? 1.0 : lies_within[i];
     }
 }
 

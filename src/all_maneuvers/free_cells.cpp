@@ -55,7 +55,7 @@ private:
 
 /// What is left of the lattice twice as coarse: parent (S, D) has its children in columns 2 D of rows 2 S and 2 S + 2, and in
 /// columns 2 D - 1 and 2 D + 1 of row 2 S + 1.
-struct Coarser {
+struct Parents {
     const Layer* layer;
 
     [[nodiscard]] Rows rows() const {
@@ -90,7 +90,7 @@ struct Coarser {
 
 }  // namespace
 
-void OuterLattice::measure(const ChartPlace& place, const Layer* left, const Watching& watch) {
+void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const Watching& watch) {
     // Columns that have a heading of the chart in them.
     int first_column = first_column_, last_column = last_column_;
     while (sine(first_column) + sine_step_ < -steepest_sine) ++first_column;
@@ -101,18 +101,18 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* left, const Wat
         columns.push_back(bands_of_cell(place, sine(d), h_));
         watch();
     }
-    std::optional<Coarser> coarser;
-    if (left) coarser = Coarser{left};
+    std::optional<Parents> parents;
+    if (coarser) parents = Parents{coarser};
     Rows rows = {static_cast<int>(std::floor((place.x_min - h_ - x0_) / (h_ / 2.0))),
                  static_cast<int>(std::ceil((place.x_max + h_ - x0_) / (h_ / 2.0)))};
-    if (coarser) rows = {std::max(rows.first, coarser->rows().first), std::min(rows.last, coarser->rows().last)};
+    if (parents) rows = {std::max(rows.first, parents->rows().first), std::min(rows.last, parents->rows().last)};
 
     // Column by column, some rows at once, so that bands are measured in vectors; layers are made row by row.
     LayerBuilder found[most_layers], found_parked[most_layers];
     Block free_block[most_layers], parked_block[most_layers];
     const int first_cell = cell_of(first_column);
     const auto width = static_cast<std::size_t>(cell_of(last_column) - first_cell) + 1;
-    if (!coarser) found[0].expect(static_cast<std::size_t>(rows.last - rows.first + 1) * width);
+    if (!parents) found[0].expect(static_cast<std::size_t>(rows.last - rows.first + 1) * width);
     std::vector<Span> columns_in(rows_at_once);
     FreeAlong free;
     BandAlong parked;
@@ -124,8 +124,8 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* left, const Wat
         Span all;
         for (int row = block; row <= block_end; ++row) {
             Span& span = columns_of(row) = {first_column, last_column, 0};
-            if (coarser) {
-                const Span children = coarser->columns(row);
+            if (parents) {
+                const Span children = parents->columns(row);
                 span = {std::max(span.from, children.from), std::min(span.to, children.to), 0};
             }
             if (span.empty()) continue;
@@ -148,7 +148,7 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* left, const Wat
             for (int row = from; row <= to; row += 2) {
                 if (!wanted(row)) continue;
                 const auto i = static_cast<std::size_t>(row - from) / 2;
-                free.at(i, coarser ? coarser->at(row, d) : Interval{-farthest_y, farthest_y}, gaps);
+                free.at(i, parents ? parents->at(row, d) : Interval{-farthest_y, farthest_y}, gaps);
                 if (gaps.size() > 1) sort_into_layers(gaps);
                 const Interval in_place = parked.at(i);
                 const std::size_t cell =
