@@ -96,7 +96,7 @@ void FreeAlong::at(std::size_t i, const Interval& within, std::vector<Interval>&
         const Interval solid = along.at(i);
         if (solid.low < solid.high && solid.high > bottom && solid.low < top) taken_.push_back(solid);
     }
-    std::sort(taken_.begin(), taken_.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+    sort_rising(taken_);
     double begin = bottom;
     for (const Interval& solid : taken_) {
         if (solid.low >= begin) gaps.push_back({begin, solid.low});

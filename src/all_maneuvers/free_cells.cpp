@@ -26,8 +26,7 @@ void sort_into_layers(std::vector<Interval>& gaps) {
         gaps[nearest].high = gaps[nearest + 1].high;
         gaps.erase(gaps.begin() + static_cast<std::ptrdiff_t>(nearest) + 1);
     }
-    std::sort(gaps.begin(), gaps.end(),
-              [](const Interval& a, const Interval& b) { return a.high - a.low > b.high - b.low; });
+    sort_longest_first(gaps);
 }
 
 /// Cells of some rows, filled in any order.

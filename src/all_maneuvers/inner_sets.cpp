@@ -16,8 +16,7 @@ constexpr std::size_t most_intervals = 4;  ///< at a node; more are of no use
 
 void tidy(std::vector<Interval>& intervals, std::size_t most) {
     if (intervals.size() < 2) return;
-    const auto lower = [](const Interval& a, const Interval& b) { return a.low < b.low; };
-    std::sort(intervals.begin(), intervals.end(), lower);
+    sort_rising(intervals);
     std::size_t last = 0;
     for (std::size_t i = 1; i < intervals.size(); ++i) {
         if (intervals[i].low <= intervals[last].high) {
@@ -28,10 +27,9 @@ void tidy(std::vector<Interval>& intervals, std::size_t most) {
     }
     intervals.resize(last + 1);
     if (intervals.size() > most) {
-        std::sort(intervals.begin(), intervals.end(),
-                  [](const Interval& a, const Interval& b) { return a.high - a.low > b.high - b.low; });
+        sort_longest_first(intervals);
         intervals.resize(most);
-        std::sort(intervals.begin(), intervals.end(), lower);
+        sort_rising(intervals);
     }
 }
 
@@ -119,7 +117,7 @@ InnerSet::Few InnerLattice::measured(int row, const Span& span, int cell) {
         solid.at(here, from, to);
         if (from < to && to > low && from < high) taken_.push_back({from, to});
     }
-    std::sort(taken_.begin(), taken_.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+    sort_rising(taken_);
     const auto add = [&](double from, double to) {
         if (from + wary > to - wary) return;
         free_.intervals.push_back({from + wary, to - wary});

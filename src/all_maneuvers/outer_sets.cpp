@@ -18,6 +18,15 @@ double tangent_of(double sine) { return sine / cosine_of(sine); }
 
 }  // namespace
 
+void sort_rising(std::vector<Interval>& intervals) {
+    std::sort(intervals.begin(), intervals.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+}
+
+void sort_longest_first(std::vector<Interval>& intervals) {
+    std::sort(intervals.begin(), intervals.end(),
+              [](const Interval& a, const Interval& b) { return a.high - a.low > b.high - b.low; });
+}
+
 OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch)
     : h_(h), radius_(place.radius), sine_step_(h / (2.0 * place.radius)), start_(place.start) {
     x0_ = place.start.x - h0 / 3.0 + h / 2.0;
@@ -75,22 +84,17 @@ void OuterLattice::number_columns() {
         }
     };
     fill(apart_, [&](int d) { return rounded_down(apart(sine(d))); });
-    fill(forward_.up, [&](int d) { return rounded_up(up(sine(d))); });
-    fill(forward_.down, [&](int d) { return -rounded_up(up(-sine(d))); });
-    fill(forward_.z_high, [&](int d) { return rounded_up(z_high(sine(d))); });
-    fill(forward_.w_low, [&](int d) { return rounded_up(z_high(-sine(d))); });
-    fill(forward_.from_left, [&](int d) { return rounded_down(h_ * t_low(d - 1)); });
-    fill(forward_.from_right, [&](int d) { return rounded_up(h_ * t_high(d + 1)); });
-    fill(forward_.turn_z, [&](int d) { return rounded_up(-h_ * t_low(d)); });
-    fill(forward_.turn_w, [&](int d) { return rounded_down(-h_ * t_high(d)); });
-    fill(backward_.up, [&](int d) { return rounded_up(up(-sine(d))); });
-    fill(backward_.down, [&](int d) { return -rounded_up(up(sine(d))); });
-    fill(backward_.z_high, [&](int d) { return rounded_up(z_high(-sine(d))); });
-    fill(backward_.w_low, [&](int d) { return rounded_up(z_high(sine(d))); });
-    fill(backward_.from_left, [&](int d) { return rounded_up(-h_ * t_low(d - 1)); });
-    fill(backward_.from_right, [&](int d) { return rounded_down(-h_ * t_high(d + 1)); });
-    fill(backward_.turn_z, [&](int d) { return rounded_up(h_ * t_high(d)); });
-    fill(backward_.turn_w, [&](int d) { return rounded_down(h_ * t_low(d)); });
+    for (const int way : {1, -1}) {
+        Numbers& of = way > 0 ? forward_ : backward_;
+        fill(of.up, [&](int d) { return rounded_up(up(way * sine(d))); });
+        fill(of.down, [&](int d) { return -rounded_up(up(-way * sine(d))); });
+        fill(of.z_high, [&](int d) { return rounded_up(z_high(way * sine(d))); });
+        fill(of.w_low, [&](int d) { return rounded_up(z_high(-way * sine(d))); });
+        fill(of.from_left, [&](int d) { return way * rounded_down(h_ * t_low(d - 1)); });
+        fill(of.from_right, [&](int d) { return way * rounded_up(h_ * t_high(d + 1)); });
+        fill(of.turn_z, [&](int d) { return rounded_up(h_ * (way > 0 ? -t_low(d) : t_high(d))); });
+        fill(of.turn_w, [&](int d) { return rounded_down(h_ * (way > 0 ? -t_high(d) : t_low(d))); });
+    }
 }
 
 Pairs OuterLattice::none(const Limits& limits) const {

@@ -41,6 +41,8 @@ inline Micro rounded_up(double metres) { return -rounded_down(-metres); }
 struct Interval {
     double low = 0.0, high = 0.0;
 };
+void sort_rising(std::vector<Interval>& intervals);
+void sort_longest_first(std::vector<Interval>& intervals);
 
 /// Of a heading in the chart with that sine.
 inline double cosine_of(double sine) { return std::sqrt((1.0 - sine) * (1.0 + sine)); }
