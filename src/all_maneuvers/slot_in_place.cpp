@@ -186,7 +186,7 @@ OutOfSlot leave(const Lattice& lattice, const Pose& start, Direction direction, 
     return reach;
 }
 
-constexpr double finest_part = 1e-4, finest_way = 2e-4;  ///< of the car's length: the finest spacings
+constexpr double finest_part = 1e-4, finest_way = 1e-4;  ///< of the car's length: the finest spacings
 
 /// Ways in one move, or in two, from the start to where a way into the slot begins, or to a place farther out from there.
 class Connection {
