@@ -124,15 +124,6 @@ ChartPlace chart_place(const Car& car, const Place& place, const Pose& start, do
     return here;
 }
 
-void Band::at(double x, double& low, double& high) const {
-    low = std::numeric_limits<double>::infinity();
-    high = -low;
-    if (x < from || x > to) return;
-    std::swap(low, high);
-    for (const Line& line : lower) low = std::max(low, line.at_0 + line.slope * x);
-    for (const Line& line : upper) high = std::min(high, line.at_0 + line.slope * x);
-}
-
 namespace {
 
 constexpr double upright = 1e-7;    ///< steeper edges are taken for upright ones

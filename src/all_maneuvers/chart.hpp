@@ -2,7 +2,10 @@
 // where along y the car may be. docs/park.md has the reasons.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "snug/geometry.hpp"
@@ -69,7 +72,14 @@ struct Band {
     std::vector<Line> lower, upper;
 
     /// Empty (low > high) where there is nothing.
-    void at(double x, double& low, double& high) const;
+    void at(double x, double& low, double& high) const {
+        low = std::numeric_limits<double>::infinity();
+        high = -low;
+        if (x < from || x > to) return;
+        std::swap(low, high);
+        for (const Line& line : lower) low = std::max(low, line.at_0 + line.slope * x);
+        for (const Line& line : upper) high = std::min(high, line.at_0 + line.slope * x);
+    }
 };
 
 /// For one heading: where solids stop the car, where its rear axle may be and where it is parked.

@@ -62,6 +62,7 @@ void BandAlong::measure(const Band& band, std::span<const double> x) {
     const auto end = std::max(begin, std::upper_bound(x.begin(), x.end(), band.to) - x.begin());
     low_.assign(x.size(), unbounded);
     high_.assign(x.size(), -unbounded);
+    if (begin == end) return;
     std::fill(low_.begin() + begin, low_.begin() + end, -unbounded);
     std::fill(high_.begin() + begin, high_.begin() + end, unbounded);
     HWY_DYNAMIC_DISPATCH(bounds_of)
@@ -74,9 +75,11 @@ void FreeAlong::measure(const Band& region, const std::vector<Band>& solids, std
     high_ = region_.high();
     lies_within_.assign(x.size(), 0.0);
     solids_.resize(solids.size());
-    for (std::size_t k = 0; k < solids.size(); ++k) {
-        BandAlong& solid = solids_[k];
-        solid.measure(solids[k], x);
+    count_ = 0;
+    for (const Band& band : solids) {
+        if (x.empty() || band.to < x.front() || band.from > x.back()) continue;
+        BandAlong& solid = solids_[count_++];
+        solid.measure(band, x);
         HWY_DYNAMIC_DISPATCH(cut_off)
         (solid, region_, low_.data(), high_.data(), lies_within_.data(), x.size());
     }
@@ -92,8 +95,8 @@ void FreeAlong::at(std::size_t i, const Interval& within, std::vector<Interval>&
     const Interval region = region_.at(i);
     const double bottom = std::max(region.low, within.low), top = std::min(region.high, within.high);
     taken_.clear();
-    for (const BandAlong& along : solids_) {
-        const Interval solid = along.at(i);
+    for (std::size_t k = 0; k < count_; ++k) {
+        const Interval solid = solids_[k].at(i);
         if (solid.low < solid.high && solid.high > bottom && solid.low < top) taken_.push_back(solid);
     }
     sort_rising(taken_);

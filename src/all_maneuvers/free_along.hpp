@@ -32,7 +32,8 @@ public:
 
 private:
     BandAlong region_;
-    std::vector<BandAlong> solids_;
+    std::vector<BandAlong> solids_;  ///< the first `count` of them
+    std::size_t count_ = 0;
     std::vector<double> low_, high_;  ///< where solids only reach into the region from below and above: what they leave
     std::vector<double> lies_within_;  ///< not 0 where any lies within
     std::vector<Interval> taken_;

@@ -143,18 +143,20 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const 
             const auto count = static_cast<std::size_t>(to - from) / 2 + 1;
             const std::span<const double> at = {xs[d & 1].data() + static_cast<std::size_t>(from - block) / 2, count};
             free.measure(bands.region, bands.solids, at);
-            parked.measure(bands.parked, at);
+            const bool may_park = bands.parked.from <= at.back() && bands.parked.to >= at.front();
+            if (may_park) parked.measure(bands.parked, at);
             for (int row = from; row <= to; row += 2) {
                 if (!wanted(row)) continue;
                 const auto i = static_cast<std::size_t>(row - from) / 2;
                 free.at(i, parents ? parents->at(row, d) : Interval{-farthest_y, farthest_y}, gaps);
                 if (gaps.size() > 1) sort_into_layers(gaps);
-                const Interval in_place = parked.at(i);
                 const std::size_t cell =
                     static_cast<std::size_t>(row - block) * width + static_cast<std::size_t>(cell_of(d) - first_cell);
                 for (std::size_t k = 0; k < gaps.size(); ++k) {
                     free_block[k].put(cell, gaps[k], rows_at_once * width);
-                    const Interval both = {std::max(in_place.low, gaps[k].low), std::min(in_place.high, gaps[k].high)};
+                    if (!may_park) continue;
+                    const auto [low, high] = parked.at(i);
+                    const Interval both = {std::max(low, gaps[k].low), std::min(high, gaps[k].high)};
                     if (both.low <= both.high) parked_block[k].put(cell, both, rows_at_once * width);
                 }
             }
