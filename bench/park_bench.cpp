@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "all_maneuvers/chart.hpp"
-#include "all_maneuvers/outer_sets.hpp"
+#include "all_maneuvers/sets/chart.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
 #include "snug/snug.hpp"
 
 namespace snug {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "all_maneuvers/way_lists.hpp"
+#include "all_maneuvers/sets/way_lists.hpp"
 #include "contact/edge_gaps.hpp"
 #include "contact/few.hpp"
 #include "contact/place_contact.hpp"

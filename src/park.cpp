@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "all_maneuvers/outer_sets.hpp"
-#include "all_maneuvers/park_search.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
+#include "all_maneuvers/sets/park_search.hpp"
 #include "contact/place_contact.hpp"
 #include "in_world.hpp"
 #include "model/angles.hpp"

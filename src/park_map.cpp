@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "all_maneuvers/few_pieces.hpp"
-#include "all_maneuvers/map_sets.hpp"
-#include "all_maneuvers/packing.hpp"
-#include "all_maneuvers/route.hpp"
-#include "all_maneuvers/way_lists.hpp"
+#include "all_maneuvers/sets/few_pieces.hpp"
+#include "all_maneuvers/sets/map_sets.hpp"
+#include "all_maneuvers/sets/packing.hpp"
+#include "all_maneuvers/sets/route.hpp"
+#include "all_maneuvers/sets/way_lists.hpp"
 #include "contact/place_contact.hpp"
 #include "in_world.hpp"
 #include "model/angles.hpp"

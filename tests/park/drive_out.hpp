@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "all_maneuvers/chart.hpp"
+#include "all_maneuvers/sets/chart.hpp"
 #include "park/judge.hpp"
 #include "park/random_places.hpp"
 

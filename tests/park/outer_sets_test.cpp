@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "all_maneuvers/chart.hpp"
-#include "all_maneuvers/outer_sets.hpp"
+#include "all_maneuvers/sets/chart.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
 #include "park/drive_out.hpp"
 #include "park/judge.hpp"
 #include "park/random_places.hpp"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "all_maneuvers/chart.hpp"
+#include "all_maneuvers/sets/chart.hpp"
 #include "park/drive_out.hpp"
 #include "park/judge.hpp"
 #include "park/random_places.hpp"

@@ -1,13 +1,13 @@
 // What the slot alone tells of a place: bounds that no real maneuver beats, and ways that can be driven.
-#include "all_maneuvers/slot_in_place.hpp"
+#include "all_maneuvers/sets/slot_in_place.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <cstdio>
 
-#include "all_maneuvers/few_pieces.hpp"
-#include "all_maneuvers/route.hpp"
+#include "all_maneuvers/sets/few_pieces.hpp"
+#include "all_maneuvers/sets/route.hpp"
 #include "park/drive_out.hpp"
 #include "park/random_places.hpp"
 #include "sample.hpp"

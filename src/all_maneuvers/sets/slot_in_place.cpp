@@ -1,15 +1,15 @@
-#include "all_maneuvers/slot_in_place.hpp"
+#include "all_maneuvers/sets/slot_in_place.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "all_maneuvers/few_pieces.hpp"
 #include "all_maneuvers/lattice.hpp"
 #include "all_maneuvers/room.hpp"
-#include "all_maneuvers/route.hpp"
 #include "all_maneuvers/search.hpp"
+#include "all_maneuvers/sets/few_pieces.hpp"
+#include "all_maneuvers/sets/route.hpp"
 #include "contact/entering.hpp"
 #include "model/angles.hpp"
 #include "model/polygon.hpp"

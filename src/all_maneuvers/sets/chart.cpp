@@ -1,4 +1,4 @@
-#include "all_maneuvers/chart.hpp"
+#include "all_maneuvers/sets/chart.hpp"
 
 #include <algorithm>
 #include <cmath>

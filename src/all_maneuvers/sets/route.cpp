@@ -1,11 +1,11 @@
-#include "all_maneuvers/route.hpp"
+#include "all_maneuvers/sets/route.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
-#include "all_maneuvers/steps.hpp"
+#include "all_maneuvers/sets/steps.hpp"
 #include "model/angles.hpp"
 #include "snug/limits.hpp"
 

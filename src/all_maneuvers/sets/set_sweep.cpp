@@ -1,9 +1,9 @@
 // The inner loops of the sweeps of sets, in vectors of whole numbers.
-#include "all_maneuvers/set_sweep.hpp"
+#include "all_maneuvers/sets/set_sweep.hpp"
 
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "all_maneuvers/set_sweep.cpp"
+#define HWY_TARGET_INCLUDE "all_maneuvers/sets/set_sweep.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "all_maneuvers/free_along.hpp"
-#include "all_maneuvers/layer_builder.hpp"
-#include "all_maneuvers/outer_sets.hpp"
+#include "all_maneuvers/sets/free_along.hpp"
+#include "all_maneuvers/sets/layer_builder.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
 
 namespace snug::detail::sets {
 

@@ -1,4 +1,4 @@
-#include "all_maneuvers/map_sets.hpp"
+#include "all_maneuvers/sets/map_sets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "all_maneuvers/steps.hpp"
+#include "all_maneuvers/sets/steps.hpp"
 #include "model/angles.hpp"
 #include "model/polygon.hpp"
 #include "snug/limits.hpp"

@@ -18,7 +18,7 @@
 #include <functional>
 #include <vector>
 
-#include "all_maneuvers/chart.hpp"
+#include "all_maneuvers/sets/chart.hpp"
 #include "snug/maneuver.hpp"
 
 namespace snug::detail::sets {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "all_maneuvers/chart.hpp"
-#include "all_maneuvers/outer_sets.hpp"
+#include "all_maneuvers/sets/chart.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
 
 namespace snug::detail::sets {
 

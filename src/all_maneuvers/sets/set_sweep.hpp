@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "all_maneuvers/outer_sets.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
 
 namespace snug::detail::sets {
 

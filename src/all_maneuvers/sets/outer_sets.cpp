@@ -1,10 +1,10 @@
-#include "all_maneuvers/outer_sets.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "all_maneuvers/set_sweep.hpp"
+#include "all_maneuvers/sets/set_sweep.hpp"
 #include "model/angles.hpp"
 
 namespace snug::detail::sets {

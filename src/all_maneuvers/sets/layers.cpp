@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "all_maneuvers/layer_builder.hpp"
-#include "all_maneuvers/outer_sets.hpp"
-#include "all_maneuvers/set_sweep.hpp"
+#include "all_maneuvers/sets/layer_builder.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
+#include "all_maneuvers/sets/set_sweep.hpp"
 
 namespace snug::detail::sets {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "all_maneuvers/inner_sets.hpp"
+#include "all_maneuvers/sets/inner_sets.hpp"
 #include "contact/place_contact.hpp"
 #include "snug/maneuver.hpp"
 

@@ -1,4 +1,4 @@
-#include "all_maneuvers/few_pieces.hpp"
+#include "all_maneuvers/sets/few_pieces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "all_maneuvers/route.hpp"
+#include "all_maneuvers/sets/route.hpp"
 #include "contact/few.hpp"
 #include "model/angles.hpp"
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "all_maneuvers/outer_sets.hpp"
-#include "all_maneuvers/set_sweep.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
+#include "all_maneuvers/sets/set_sweep.hpp"
 
 namespace snug::detail::sets {
 

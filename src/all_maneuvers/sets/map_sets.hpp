@@ -11,12 +11,12 @@
 #include <optional>
 #include <vector>
 
-#include "all_maneuvers/chart.hpp"
-#include "all_maneuvers/free_along.hpp"
-#include "all_maneuvers/inner_sets.hpp"
-#include "all_maneuvers/outer_sets.hpp"
-#include "all_maneuvers/packing.hpp"
-#include "all_maneuvers/steps.hpp"
+#include "all_maneuvers/sets/chart.hpp"
+#include "all_maneuvers/sets/free_along.hpp"
+#include "all_maneuvers/sets/inner_sets.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
+#include "all_maneuvers/sets/packing.hpp"
+#include "all_maneuvers/sets/steps.hpp"
 #include "contact/place_contact.hpp"
 #include "snug/maneuver.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "all_maneuvers/chart.hpp"
+#include "all_maneuvers/sets/chart.hpp"
 #include "contact/place_contact.hpp"
 
 namespace snug::detail::sets {

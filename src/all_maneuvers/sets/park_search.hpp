@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "all_maneuvers/chart.hpp"
-#include "all_maneuvers/outer_sets.hpp"
-#include "all_maneuvers/slot_in_place.hpp"
+#include "all_maneuvers/sets/chart.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
+#include "all_maneuvers/sets/slot_in_place.hpp"
 #include "contact/place_contact.hpp"
 
 namespace snug::detail::sets {

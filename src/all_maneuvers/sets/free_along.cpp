@@ -1,11 +1,11 @@
-#include "all_maneuvers/free_along.hpp"
+#include "all_maneuvers/sets/free_along.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "all_maneuvers/free_along.cpp"
+#define HWY_TARGET_INCLUDE "all_maneuvers/sets/free_along.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

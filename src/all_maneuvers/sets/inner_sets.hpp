@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "all_maneuvers/chart.hpp"
-#include "all_maneuvers/outer_sets.hpp"
+#include "all_maneuvers/sets/chart.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
 #include "snug/maneuver.hpp"
 
 namespace snug::detail::sets {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "all_maneuvers/chart.hpp"
-#include "all_maneuvers/outer_sets.hpp"
+#include "all_maneuvers/sets/chart.hpp"
+#include "all_maneuvers/sets/outer_sets.hpp"
 #include "contact/place_contact.hpp"
 #include "snug/car.hpp"
 #include "snug/driving.hpp"

@@ -1,4 +1,4 @@
-#include "all_maneuvers/inner_sets.hpp"
+#include "all_maneuvers/sets/inner_sets.hpp"
 
 #include <algorithm>
 #include <cmath>

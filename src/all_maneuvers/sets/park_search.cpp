@@ -1,14 +1,14 @@
-#include "all_maneuvers/park_search.hpp"
+#include "all_maneuvers/sets/park_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "all_maneuvers/few_pieces.hpp"
-#include "all_maneuvers/inner_sets.hpp"
-#include "all_maneuvers/map_sets.hpp"
-#include "all_maneuvers/route.hpp"
+#include "all_maneuvers/sets/few_pieces.hpp"
+#include "all_maneuvers/sets/inner_sets.hpp"
+#include "all_maneuvers/sets/map_sets.hpp"
+#include "all_maneuvers/sets/route.hpp"
 #include "model/angles.hpp"
 #include "model/polygon.hpp"
 
