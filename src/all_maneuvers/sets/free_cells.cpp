@@ -9,6 +9,7 @@
 #include "all_maneuvers/sets/free_along.hpp"
 #include "all_maneuvers/sets/layer_builder.hpp"
 #include "all_maneuvers/sets/outer_sets.hpp"
+#include "all_maneuvers/sets/parents.hpp"
 
 namespace snug::detail::sets {
 
@@ -50,41 +51,6 @@ public:
 
 private:
     std::vector<Micro> low_, high_;
-};
-
-/// What is left of the lattice twice as coarse: parent (S, D) has its children in columns 2 D of rows 2 S and 2 S + 2, and in
-/// columns 2 D - 1 and 2 D + 1 of row 2 S + 1.
-struct Parents {
-    const Layer* layer;
-
-    [[nodiscard]] Rows rows() const {
-        return layer->spans.rows.empty() ? Rows{} : Rows{2 * layer->spans.first, 2 * layer->spans.last() + 2};
-    }
-    /// All children in a row lie between these columns.
-    [[nodiscard]] Span columns(int row) const {
-        Span all;
-        const auto parents = [&](int parent_row, int beside) {
-            const Span span = layer->spans.of(parent_row);
-            if (span.empty()) return;
-            const int from = 2 * column_of(parent_row, span.from) - beside;
-            const int to = 2 * column_of(parent_row, span.to) + beside;
-            all = all.empty() ? Span{from, to, 0} : Span{std::min(all.from, from), std::max(all.to, to), 0};
-        };
-        if ((row & 1) == 0) {
-            parents(row / 2, 0);
-            parents(row / 2 - 1, 0);
-        } else {
-            parents((row - 1) >> 1, 1);
-        }
-        return all;
-    }
-    [[nodiscard]] Interval at(int row, int column) const {
-        const int i = ((row - column) / 2) >> 1, j = ((row + column) / 2) >> 1;
-        const Span span = layer->spans.of(i + j);
-        const int cell = cell_of(j - i);
-        if (cell < span.from || cell > span.to) return {farthest_y, -farthest_y};
-        return {layer->low[span.at(cell)] * micro, layer->high[span.at(cell)] * micro};
-    }
 };
 
 }  // namespace
@@ -148,7 +114,12 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const 
             for (int row = from; row <= to; row += 2) {
                 if (!wanted(row)) continue;
                 const auto i = static_cast<std::size_t>(row - from) / 2;
-                free.at(i, parents ? parents->at(row, d) : Interval{-farthest_y, farthest_y}, gaps);
+                Interval left = {-farthest_y, farthest_y};
+                if (parents) {
+                    const auto [low, high] = parents->limits(row, d);
+                    left = {low * micro, high * micro};
+                }
+                free.at(i, left, gaps);
                 if (gaps.size() > 1) sort_into_layers(gaps);
                 const std::size_t cell =
                     static_cast<std::size_t>(row - block) * width + static_cast<std::size_t>(cell_of(d) - first_cell);

@@ -6,6 +6,7 @@
 
 #include "all_maneuvers/sets/layer_builder.hpp"
 #include "all_maneuvers/sets/outer_sets.hpp"
+#include "all_maneuvers/sets/parents.hpp"
 #include "all_maneuvers/sets/set_sweep.hpp"
 
 namespace snug::detail::sets {
@@ -67,26 +68,31 @@ Layer hull(const std::vector<const Limits*>& several) {
 }
 
 Limits OuterLattice::clipped(const Limits& coarser) const {
+    std::vector<Parents> parents;
+    for (const Layer& layer : coarser) parents.push_back({&layer});
     Limits limits;
     for (const Layer& layer : free_) {
         LayerBuilder mine;
         for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
             const Span span = layer.spans.of(row);
-            for (int cell = span.from; cell <= span.to; ++cell) {
+            int from = span.to + 1, to = span.from - 1;
+            for (const Parents& of : parents) {
+                const Span columns = of.columns(row);
+                if (columns.empty()) continue;
+                from = std::min(from, std::max(span.from, cell_of(columns.from)));
+                to = std::max(to, std::min(span.to, cell_of(columns.to)));
+            }
+            for (int cell = from; cell <= to; ++cell) {
                 const Micro free_low = layer.low[span.at(cell)], free_high = layer.high[span.at(cell)];
                 if (free_low > free_high) continue;
-                const int d = column_of(row, cell);
-                const int i = ((row - d) / 2) >> 1, j = ((row + d) / 2) >> 1;
+                const int column = column_of(row, cell);
                 Micro low = nowhere, high = -nowhere;
-                for (const Layer& parent : coarser) {
-                    const Span parents = parent.spans.of(i + j);
-                    const int parent_cell = cell_of(j - i);
-                    if (parent_cell < parents.from || parent_cell > parents.to) continue;
-                    const Micro from = std::max(free_low, parent.low[parents.at(parent_cell)]);
-                    const Micro to = std::min(free_high, parent.high[parents.at(parent_cell)]);
-                    if (from > to) continue;
-                    low = std::min(low, from);
-                    high = std::max(high, to);
+                for (const Parents& of : parents) {
+                    const auto [least, most] = of.limits(row, column);
+                    const Micro lower = std::max(free_low, least), upper = std::min(free_high, most);
+                    if (lower > upper) continue;
+                    low = std::min(low, lower);
+                    high = std::max(high, upper);
                 }
                 if (low <= high) mine.add(row, cell, low, high);
             }
