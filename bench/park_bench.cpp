@@ -76,10 +76,9 @@ void first(benchmark::State& state, const Case& c) {
     ask(state, c, options);
 }
 
-void proved(benchmark::State& state, const Case& c, int threads) {
+void proved(benchmark::State& state, const Case& c) {
     ParkOptions options;
     options.roomiest = false;
-    options.threads = threads;
     ask(state, c, options);
 }
 
@@ -98,7 +97,7 @@ void sweep(benchmark::State& state, const Case& c, double spacing) {
         lattice.sweep(pairs, lattice.free(), Direction::forward, [] {});
         benchmark::ClobberMemory();
     }
-    state.SetItemsProcessed(static_cast<std::int64_t>(lattice.take_updates()));
+    state.SetItemsProcessed(static_cast<std::int64_t>(lattice.updates));
 }
 
 /// The map of a street, swept whole.
@@ -147,12 +146,8 @@ void next_maneuver(benchmark::State& state, const Case& c) {
             first(state, c);
         })->Unit(benchmark::kMillisecond);
         benchmark::RegisterBenchmark(("park/proved/" + c.name).c_str(), [c](benchmark::State& state) {
-            proved(state, c, 1);
+            proved(state, c);
         })->Unit(benchmark::kMillisecond);
-        benchmark::RegisterBenchmark(("park/proved-on-two-threads/" + c.name).c_str(),
-                                     [c](benchmark::State& state) { proved(state, c, 2); })
-            ->Unit(benchmark::kMillisecond)
-            ->UseRealTime();
         benchmark::RegisterBenchmark(("park/whole/" + c.name).c_str(), [c](benchmark::State& state) {
             whole(state, c);
         })->Unit(benchmark::kMillisecond);

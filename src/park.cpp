@@ -35,7 +35,6 @@ void check(const ParkOptions& options) {
     check_between("clearance", options.clearance, 0.0, limits::longest, " m");
     check_between("resolution", options.resolution, 0.0, limits::longest, " m");
     check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
-    check_between("number of threads", options.threads, 1.0, 2.0, "");
 }
 
 std::string with_article(const Place& place, std::size_t obstacle) {
@@ -123,7 +122,6 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
     question.slot = slot_in(car, place, start, options.clearance, chart);
     question.max_changes = options.max_changes;
     question.roomiest = options.roomiest;
-    question.two_threads = options.threads > 1;
     if (std::abs(question.place.start.heading) > half_turn * 75.0 / 180.0)
         throw Error("the car's heading and the parked one are " +
                     spelled(std::round(std::abs(question.place.start.heading) * 3600.0 / half_turn) / 10.0) +

@@ -25,8 +25,7 @@ struct ParkOptions {
     double resolution = 0.0;
     double time_limit = std::numeric_limits<double>::infinity();  ///< ends with the bounds found so far [s]
     bool roomiest =
-        true;         ///< look for a maneuver that keeps its distance; otherwise any with that many changes will do
-    int threads = 1;  ///< fine lattices are computed on as many, 1 or 2; the answer is the same
+        true;  ///< look for a maneuver that keeps its distance; otherwise any with that many changes will do
     /// Told from time to time; returning false ends with the bounds found so far.
     std::function<bool(const ParkProgress&)> progress = {};
 };

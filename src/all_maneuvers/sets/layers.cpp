@@ -70,6 +70,7 @@ Layer hull(const std::vector<const Limits*>& several) {
 Limits OuterLattice::clipped(const Limits& coarser) const {
     std::vector<Parents> parents;
     for (const Layer& layer : coarser) parents.push_back({&layer});
+    std::vector<Micro> lows, highs;
     Limits limits;
     for (const Layer& layer : free_) {
         LayerBuilder mine;
@@ -82,11 +83,16 @@ Limits OuterLattice::clipped(const Limits& coarser) const {
                 from = std::min(from, std::max(span.from, cell_of(columns.from)));
                 to = std::max(to, std::min(span.to, cell_of(columns.to)));
             }
+            if (from > to) continue;
+            const auto count = static_cast<std::size_t>(to - from) + 1;
+            lows.assign(count, nowhere);
+            highs.assign(count, -nowhere);
             for (int cell = from; cell <= to; ++cell) {
                 const Micro free_low = layer.low[span.at(cell)], free_high = layer.high[span.at(cell)];
                 if (free_low > free_high) continue;
                 const int column = column_of(row, cell);
-                Micro low = nowhere, high = -nowhere;
+                Micro &low = lows[static_cast<std::size_t>(cell - from)],
+                      &high = highs[static_cast<std::size_t>(cell - from)];
                 for (const Parents& of : parents) {
                     const auto [least, most] = of.limits(row, column);
                     const Micro lower = std::max(free_low, least), upper = std::min(free_high, most);
@@ -94,8 +100,8 @@ Limits OuterLattice::clipped(const Limits& coarser) const {
                     low = std::min(low, lower);
                     high = std::max(high, upper);
                 }
-                if (low <= high) mine.add(row, cell, low, high);
             }
+            mine.add(row, from, lows.data(), highs.data(), count);
         }
         limits.push_back(mine.done());
     }

@@ -5,15 +5,13 @@
 #include <utility>
 
 #include "all_maneuvers/sets/set_sweep.hpp"
-#include "all_maneuvers/sets/side_by_side.hpp"
 #include "model/angles.hpp"
 
 namespace snug::detail::sets {
 
 namespace {
 
-constexpr Micro coarse_grid = 512;                      ///< to which direction changes are rounded: 0.12 mm
-constexpr std::size_t least_for_two_threads = 100'000;  ///< cells
+constexpr Micro coarse_grid = 512;  ///< to which direction changes are rounded: 0.12 mm
 
 double clamped(double sine) { return std::clamp(sine, -steepest_sine, steepest_sine); }
 double tangent_of(double sine) { return sine / cosine_of(sine); }
@@ -29,22 +27,14 @@ void sort_longest_first(std::vector<Interval>& intervals) {
               [](const Interval& a, const Interval& b) { return a.high - a.low > b.high - b.low; });
 }
 
-OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch,
-                           bool on_two_threads)
-    : h_(h),
-      radius_(place.radius),
-      sine_step_(h / (2.0 * place.radius)),
-      start_(place.start),
-      two_threads_(on_two_threads) {
+OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch)
+    : h_(h), radius_(place.radius), sine_step_(h / (2.0 * place.radius)), start_(place.start) {
     x0_ = place.start.x - h0 / 3.0 + h / 2.0;
     sine0_ = angles::sin(place.start.heading);
     first_column_ = static_cast<int>(std::floor((-steepest_sine - sine0_) / sine_step_ - 1.0)) - 1;
     last_column_ = static_cast<int>(std::ceil((steepest_sine - sine0_) / sine_step_ + 1.0)) + 1;
     number_columns();
     measure(place, coarser, watch);
-    std::size_t cells = 0;
-    for (const Layer& layer : free_) cells += layer.spans.cells;
-    two_threads_ = two_threads_ && cells > least_for_two_threads;
 }
 
 void OuterLattice::number_columns() {
@@ -240,7 +230,6 @@ Pairs OuterLattice::turn(const Pairs& before, const Limits& limits_before, const
 void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch) const {
     const Numbers& of = numbers(direction);
     const bool forward = direction == Direction::forward;
-    std::size_t updates = 0;
     const auto [first_row, last_row] = rows_of({&limits});
     // The row before, at full width, with nothing around what was reached in it.
     const int first_cell = cell_of(first_column_) - 1;
@@ -300,21 +289,19 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
             std::copy_n(now.w.begin() + from, count, mine.w.begin() + (mine.live.from - first_cell));
         }
     }
-    updates_[forward ? 0 : 1] += updates;
 }
 
 BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,
                            const Watching& watch) {
     const Limits& limits = lattice.free();
     BothWays<Pairs> next;
-    side_by_side(lattice.has_two_threads(), watch, [&](int part, const Watching& watched) {
-        const Direction direction = both_directions[part];
+    for (const Direction direction : both_directions) {
         const Pairs* before = direction == Direction::forward ? last_backward : last_forward;
         Pairs pairs = before ? lattice.turn(*before, limits, limits, direction)
                              : lattice.begin(lattice.parked(), limits, direction);
-        lattice.sweep(pairs, limits, direction, watched);
+        lattice.sweep(pairs, limits, direction, watch);
         next.of(direction).push_back(std::move(pairs));
-    });
+    }
     return next;
 }
 

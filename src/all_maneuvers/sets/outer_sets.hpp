@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <utility>
 #include <vector>
 
 #include "all_maneuvers/sets/chart.hpp"
@@ -153,9 +152,8 @@ struct CellGrid {
 class OuterLattice {
 public:
     /// Cells of side h, the start pose a third of h0 from the corner of one; h0 / h is a power of two. Only within what is
-    /// left of the lattice twice as coarse, if given. What is large may be computed on two threads.
-    OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch,
-                 bool on_two_threads = false);
+    /// left of the lattice twice as coarse, if given.
+    OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch);
 
     [[nodiscard]] double h() const { return h_; }
     [[nodiscard]] double x(int row) const { return x0_ + row * (h_ / 2.0); }
@@ -186,12 +184,8 @@ public:
 
     [[nodiscard]] CellGrid grid() const { return {h_, radius_, x0_, sine0_, sine_step_}; }
 
-    /// Cells computed since that was asked last.
-    [[nodiscard]] std::size_t take_updates() const {
-        return std::exchange(updates_[0], 0) + std::exchange(updates_[1], 0);
-    }
-    /// Moves forward and backward may be computed at the same time, and are worth it.
-    [[nodiscard]] bool has_two_threads() const { return two_threads_; }
+    /// Cells computed so far.
+    mutable std::size_t updates = 0;
 
 private:
     struct Numbers {
@@ -212,8 +206,6 @@ private:
     Numbers forward_, backward_;
     ColumnNumbers apart_;  ///< z - w is at least this
     Limits free_, parked_;
-    bool two_threads_;
-    mutable std::size_t updates_[2] = {};  ///< of moves forward and backward
 };
 
 /// The moves with so many changes, one forward and one backward, from those with one less, if there are any. Nothing is clipped.

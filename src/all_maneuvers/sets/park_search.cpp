@@ -9,7 +9,6 @@
 #include "all_maneuvers/sets/inner_sets.hpp"
 #include "all_maneuvers/sets/map_sets.hpp"
 #include "all_maneuvers/sets/route.hpp"
-#include "all_maneuvers/sets/side_by_side.hpp"
 #include "model/angles.hpp"
 #include "model/polygon.hpp"
 
@@ -90,31 +89,27 @@ Pairs driven(const OuterLattice& lattice, Pairs pairs, Limits& limits, Direction
 
 /// From what is left of the lattice twice as coarse to what is left of this one; nothing when the start is out of reach.
 /// Throws TooLarge when it is not, but what is left cannot be kept.
-std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds& bounds, const Watching& watch) {
+std::optional<Left> refined(const ChartPlace& place, double h0, Left left, ParkBounds& bounds, const Watching& watch) {
     const double h = left.h / 2.0;
     const std::size_t moves = left.moves.forward.size();
     // Each cell has four children. What is free in them, and two moves each way, are held beside what is kept.
     if (4 * bytes_of(left.hull_of_all) > most_bytes / 2) throw TooLarge{};
-    const OuterLattice lattice(question.place, h, question.coarsest, &left.hull_of_all, watch, question.two_threads);
+    const OuterLattice lattice(place, h, h0, &left.hull_of_all, watch);
     BothWays<Limits>& limits = left.moves;
     BothWays<Pairs> now, before;
     // Outward from the parked poses.
     std::size_t bytes = bytes_of(lattice.free());
     bool all_kept = true;
     for (std::size_t k = 0; k < moves; ++k) {
-        side_by_side(lattice.has_two_threads(), watch, [&](int part, const Watching& watched) {
-            const Direction direction = both_directions[part];
+        for (const Direction direction : both_directions) {
             Limits& mine = limits.of(direction)[k];
             mine = lattice.clipped(mine);
             Pairs pairs = k == 0 ? lattice.begin(lattice.parked(), mine, direction)
                                  : lattice.turn(before.of(other(direction)).front(), limits.of(other(direction))[k - 1],
                                                 mine, direction);
-            now.of(direction).push_back(driven(lattice, std::move(pairs), mine, direction, watched));
-        });
-        for (const Direction direction : both_directions) {
-            const std::size_t of_move = bytes_of(limits.of(direction)[k]);
-            bytes += of_move;
-            all_kept = all_kept && bytes + 4 * of_move <= most_bytes;
+            now.of(direction).push_back(driven(lattice, std::move(pairs), mine, direction, watch));
+            bytes += bytes_of(mine);
+            all_kept = all_kept && bytes + 4 * bytes_of(mine) <= most_bytes;
         }
         before = std::exchange(now, {});
         if (all_kept) continue;
@@ -123,22 +118,21 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
     bool reached = false;
     for (const Direction direction : both_directions)
         reached = reached || lattice.holds_start(before.of(direction).front(), limits.of(direction).back(), direction);
-    bounds.updates += lattice.take_updates();
+    bounds.updates += std::exchange(lattice.updates, 0);
     if (!reached) return std::nullopt;
     if (!all_kept) throw TooLarge{};
     // Then from the start. Driving forward when leaving is driving backward when parking, and move k is the last but k.
     for (std::size_t k = moves; k-- > 0;) {
-        side_by_side(lattice.has_two_threads(), watch, [&](int part, const Watching& watched) {
-            const Direction direction = both_directions[part];
+        for (const Direction direction : both_directions) {
             Limits& mine = limits.of(other(direction))[k];
             Pairs pairs = k + 1 == moves ? lattice.begin_at_start(mine, direction)
                                          : lattice.turn(before.of(other(direction)).front(),
                                                         limits.of(direction)[k + 1], mine, direction);
-            now.of(direction).push_back(driven(lattice, std::move(pairs), mine, direction, watched));
-        });
+            now.of(direction).push_back(driven(lattice, std::move(pairs), mine, direction, watch));
+        }
         before = std::exchange(now, {});
     }
-    bounds.updates += lattice.take_updates();
+    bounds.updates += lattice.updates;
     left.h = h;
     left.hull_of_all = hull_of(limits);
     return left;
@@ -424,7 +418,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         return;
     }
     const double h0 = question.coarsest;
-    const OuterLattice lattice(question.place, h0, h0, nullptr, watch, question.two_threads);
+    const OuterLattice lattice(question.place, h0, h0, nullptr, watch);
     int looks_at_slot = question.slot ? 0 : most_looks_at_slot;
     bool found_elsewhere = false;  ///< the way, so no lattice of sets has it yet
     const auto take_from_elsewhere = [&](std::vector<Path> way) {
@@ -458,10 +452,10 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         if (h < h0) ask_slot();
         if (bounds.meet() || bounds.lower > question.max_changes) break;
         std::optional<OuterLattice> finer;
-        if (h < h0) finer.emplace(question.place, h, h0, nullptr, watch, question.two_threads);
+        if (h < h0) finer.emplace(question.place, h, h0, nullptr, watch);
         const OuterLattice& here = finer ? *finer : lattice;
         Counted counted = count_from_below(here, question.max_changes, watch);
-        bounds.updates += here.take_updates();
+        bounds.updates += std::exchange(here.updates, 0);
         bounds.spacing = h;
         bounds.lower = std::max(bounds.lower, counted.changes);
         bounds.impossible = counted.impossible;
@@ -519,7 +513,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     double found_at = h0;  ///< spacing of the lattice that has the way
     const auto left_for = [&](int changes, double h) {
         std::optional<Left> left = left_with(changes);
-        while (left && left->h > 1.001 * h) left = refined(question, std::move(*left), bounds, watch);
+        while (left && left->h > 1.001 * h) left = refined(question.place, h0, std::move(*left), bounds, watch);
         return left;
     };
     const auto driven_at = [&](int changes, double h) {
