@@ -278,10 +278,9 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
                 std::fill_n(mine.w.begin() + from, count, nowhere);
             }
             const Span span = limits[k].spans.of(row);
-            mine.live = span;
             const Pairs::Of& now = pairs.layers[k];
-            while (!mine.live.empty() && now.z[span.at(mine.live.from)] == -nowhere) ++mine.live.from;
-            while (!mine.live.empty() && now.z[span.at(mine.live.to)] == -nowhere) --mine.live.to;
+            const Stretch part = reached(now.z.data() + span.begin, static_cast<std::size_t>(span.to - span.from) + 1);
+            mine.live = {span.from + static_cast<int>(part.from), span.from + static_cast<int>(part.to) - 1, 0};
             if (mine.live.empty()) continue;
             const auto from = static_cast<std::ptrdiff_t>(span.at(mine.live.from));
             const auto count = static_cast<std::ptrdiff_t>(mine.live.to - mine.live.from) + 1;

@@ -50,6 +50,20 @@ void take_in_vectors(const Taking& to, const Given& given, std::size_t count) {
     take_in_cells<false, false>(to, given, count);
 }
 
+Stretch reached_by_vectors(const Micro* z, std::size_t count) {
+    const hn::CappedTag<Micro, 16> tag;
+    const std::size_t lanes = hn::Lanes(tag);
+    const auto nothing = hn::Set(tag, -nowhere);
+    Stretch part = {0, count};
+    while (part.from + lanes <= part.to && hn::AllTrue(tag, hn::Eq(hn::LoadU(tag, z + part.from), nothing)))
+        part.from += lanes;
+    while (part.from < part.to && z[part.from] == -nowhere) ++part.from;
+    while (part.from + lanes <= part.to && hn::AllTrue(tag, hn::Eq(hn::LoadU(tag, z + part.to - lanes), nothing)))
+        part.to -= lanes;
+    while (part.from < part.to && z[part.to - 1] == -nowhere) --part.to;
+    return part;
+}
+
 }  // namespace snug::detail::sets::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -57,10 +71,13 @@ HWY_AFTER_NAMESPACE();
 namespace snug::detail::sets {
 
 HWY_EXPORT(take_in_vectors);
+HWY_EXPORT(reached_by_vectors);
 
 void take_in(const Taking& taking, const Given& given, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(take_in_vectors)(taking, given, count);
 }
+
+Stretch reached(const Micro* z, std::size_t count) { return HWY_DYNAMIC_DISPATCH(reached_by_vectors)(z, count); }
 
 }  // namespace snug::detail::sets
 #endif

@@ -25,4 +25,10 @@ void take_in(const Taking& taking, const Given& given, std::size_t count);
 
 constexpr std::size_t vector_padding = 16;
 
+/// From the first to before the last of so many cells that hold anything; `from` is `to` where none does.
+struct Stretch {
+    std::size_t from, to;
+};
+Stretch reached(const Micro* z, std::size_t count);
+
 }  // namespace snug::detail::sets
