@@ -427,6 +427,11 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         bounds.way = std::move(way);
         found_elsewhere = true;
     };
+    bool asked_map = false;
+    const auto ask_map = [&] {
+        asked_map = true;
+        take_from_elsewhere(way_on_map(question.place, h0, question.max_changes, watch));
+    };
     /// What the slot alone tells, more every time.
     const auto ask_slot = [&] {
         if (looks_at_slot == most_looks_at_slot) return;
@@ -573,8 +578,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
                 break;
             }
             left.reset();
-            if (!bounds.upper && h == h0)
-                take_from_elsewhere(way_on_map(question.place, h0, question.max_changes, watch));
+            if (!bounds.upper && h == h0) ask_map();
             // None found with as few as the lower bound: how many may it take?
             int changes = bounds.lower + 1;
             if ((!bounds.upper || found_elsewhere) && h > 0.3 * h0) {
@@ -596,6 +600,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         }
     } catch (const TooLarge&) {
     }
+    if (!bounds.upper && !bounds.impossible && !asked_map) ask_map();
     finish();
 }
 
