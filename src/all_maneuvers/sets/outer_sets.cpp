@@ -120,6 +120,18 @@ Taking taking_of(Pairs::Of& pairs, const Layer& layer, const Span& span, const N
 
 }  // namespace
 
+void OuterLattice::offer(Pairs& pairs, const Limits& limits, Direction direction, int row, const Span& given,
+                         const Micro* z, const Micro* w) const {
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+        const Span mine = limits[k].spans.of(row);
+        const int first = std::max(mine.from, given.from), last = std::min(mine.to, given.to);
+        if (first > last) continue;
+        const auto skip = static_cast<std::size_t>(first - given.from);
+        take_in(taking_of(pairs.layers[k], limits[k], mine, numbers(direction), apart_, row, first),
+                {z + skip, w + skip, nullptr, nullptr}, static_cast<std::size_t>(last - first) + 1);
+    }
+}
+
 Pairs OuterLattice::begin(const Limits& places, const Limits& limits, Direction direction) const {
     Pairs pairs = none(limits);
     const Numbers& of = numbers(direction);
@@ -136,15 +148,7 @@ Pairs OuterLattice::begin(const Limits& places, const Limits& limits, Direction 
                 z[static_cast<std::size_t>(cell - given.from)] = from.high[at] + *of.z_high.at(row, cell);
                 w[static_cast<std::size_t>(cell - given.from)] = from.low[at] - *of.w_low.at(row, cell);
             }
-            for (std::size_t k = 0; k < limits.size(); ++k) {
-                const Span mine = limits[k].spans.of(row);
-                const int first = std::max(mine.from, given.from), last = std::min(mine.to, given.to);
-                if (first > last) continue;
-                const auto skip = static_cast<std::size_t>(first - given.from);
-                take_in(taking_of(pairs.layers[k], limits[k], mine, of, apart_, row, first),
-                        {z.data() + skip, w.data() + skip, nullptr, nullptr},
-                        static_cast<std::size_t>(last - first) + 1);
-            }
+            offer(pairs, limits, direction, row, given, z.data(), w.data());
         }
     }
     return pairs;
@@ -171,12 +175,7 @@ Pairs OuterLattice::begin_at_start(const Limits& limits, Direction direction) co
     std::vector<Micro> z(1 + vector_padding, -nowhere), w(1 + vector_padding, nowhere);
     z[0] = rounded_up(start_.y - at.up + 1e-9);
     w[0] = rounded_down(start_.y - at.down - 1e-9);
-    for (std::size_t k = 0; k < limits.size(); ++k) {
-        const Span mine = limits[k].spans.of(at.row);
-        if (cell < mine.from || cell > mine.to) continue;
-        take_in(taking_of(pairs.layers[k], limits[k], mine, numbers(direction), apart_, at.row, cell),
-                {z.data(), w.data(), nullptr, nullptr}, 1);
-    }
+    offer(pairs, limits, direction, at.row, {cell, cell, 0}, z.data(), w.data());
     return pairs;
 }
 
@@ -213,15 +212,7 @@ Pairs OuterLattice::turn(const Pairs& before, const Limits& limits_before, const
                 z[i] = (old_z[i] + more_z[i] + (coarse_grid - 1)) & ~(coarse_grid - 1);
                 w[i] = (old_w[i] + more_w[i]) & ~(coarse_grid - 1);
             }
-            for (std::size_t k = 0; k < limits.size(); ++k) {
-                const Span mine = limits[k].spans.of(row);
-                const int first = std::max(mine.from, given.from), last = std::min(mine.to, given.to);
-                if (first > last) continue;
-                const auto skip = static_cast<std::size_t>(first - given.from);
-                take_in(taking_of(pairs.layers[k], limits[k], mine, of, apart_, row, first),
-                        {z.data() + skip, w.data() + skip, nullptr, nullptr},
-                        static_cast<std::size_t>(last - first) + 1);
-            }
+            offer(pairs, limits, direction, row, given, z.data(), w.data());
         }
     }
     return pairs;

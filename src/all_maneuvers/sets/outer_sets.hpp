@@ -195,6 +195,9 @@ private:
         ColumnNumbers turn_z, turn_w;         ///< and at a change into this direction
     };
     void number_columns();
+    /// What stands for the cells given, in a row, is taken in by those of the limits that fit it.
+    void offer(Pairs& pairs, const Limits& limits, Direction direction, int row, const Span& given, const Micro* z,
+               const Micro* w) const;
     void measure(const ChartPlace& place, const Layer* coarser, const Watching& watch);
     [[nodiscard]] const Numbers& numbers(Direction direction) const {
         return direction == Direction::forward ? forward_ : backward_;
