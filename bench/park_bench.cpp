@@ -76,9 +76,10 @@ void first(benchmark::State& state, const Case& c) {
     ask(state, c, options);
 }
 
-void proved(benchmark::State& state, const Case& c) {
+void proved(benchmark::State& state, const Case& c, int threads) {
     ParkOptions options;
     options.roomiest = false;
+    options.threads = threads;
     ask(state, c, options);
 }
 
@@ -90,14 +91,15 @@ void sweep(benchmark::State& state, const Case& c, double spacing) {
     Chart chart;
     const ChartPlace place = chart_place(find_car("renault-zoe").value(), street_place(c.street), c.start, 0.0, chart);
     const OuterLattice lattice(place, spacing, spacing, nullptr, [] {});
-    const Pairs begin = lattice.begin_at_start(lattice.free(), Direction::forward);
+    Pairs begin;
+    lattice.begin_at_start(lattice.free(), Direction::forward, begin);
     Pairs pairs;
     for (auto _ : state) {
         pairs = begin;
         lattice.sweep(pairs, lattice.free(), Direction::forward, [] {});
         benchmark::ClobberMemory();
     }
-    state.SetItemsProcessed(static_cast<std::int64_t>(lattice.updates));
+    state.SetItemsProcessed(static_cast<std::int64_t>(lattice.take_updates()));
 }
 
 /// The map of a street, swept whole.
@@ -146,8 +148,11 @@ void next_maneuver(benchmark::State& state, const Case& c) {
             first(state, c);
         })->Unit(benchmark::kMillisecond);
         benchmark::RegisterBenchmark(("park/proved/" + c.name).c_str(), [c](benchmark::State& state) {
-            proved(state, c);
+            proved(state, c, 1);
         })->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(("park/proved-on-two-threads/" + c.name).c_str(), [c](benchmark::State& state) {
+            proved(state, c, 2);
+        })->Unit(benchmark::kMillisecond)->UseRealTime();
         benchmark::RegisterBenchmark(("park/whole/" + c.name).c_str(), [c](benchmark::State& state) {
             whole(state, c);
         })->Unit(benchmark::kMillisecond);

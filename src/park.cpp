@@ -5,12 +5,14 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "all_maneuvers/sets/outer_sets.hpp"
 #include "all_maneuvers/sets/park_search.hpp"
+#include "all_maneuvers/sets/workers.hpp"
 #include "contact/place_contact.hpp"
 #include "in_world.hpp"
 #include "model/angles.hpp"
@@ -34,6 +36,7 @@ void check(const ParkOptions& options) {
     check_between("maximum of direction changes", options.max_changes, 0.0, limits::most_changes_fewest, "");
     check_between("clearance", options.clearance, 0.0, limits::longest, " m");
     check_between("resolution", options.resolution, 0.0, limits::longest, " m");
+    check_between("number of threads", options.threads, 0.0, limits::most_threads, "");
     check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
 }
 
@@ -147,6 +150,10 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
                     spelled(std::round(cells / 1e6)) + " million cells, but at most " + spelled(most_cells / 1e6) +
                     " million are supported; name a smaller region, or a coarser resolution");
 
+#ifndef __EMSCRIPTEN__
+    std::optional<Workers> workers;
+    if (options.threads != 1) question.workers = &workers.emplace(options.threads);
+#endif
     ParkBounds bounds;
     bool stopped = false;
     using Clock = std::chrono::steady_clock;

@@ -17,6 +17,7 @@ inline constexpr double most_steer = 89.9 * std::numbers::pi / 180.0;  ///< [rad
 inline constexpr int usual_changes = 200;          ///< where a search ends unless told otherwise
 inline constexpr int most_changes = 100'000;       ///< that full steering may be allowed
 inline constexpr int most_changes_fewest = 1'000;  ///< that a search over all maneuvers may be allowed
+inline constexpr int most_threads = 1'024;
 
 inline constexpr double quarter_turn = std::numbers::pi / 2.0;  ///< entry headings end there [rad]
 inline constexpr double half_turn = std::numbers::pi;           ///< [rad]

@@ -1,57 +1,56 @@
-// A layer made cell by cell, row after row.
+// Layers made row after row.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
-#include <utility>
+#include <functional>
+#include <vector>
 
 #include "all_maneuvers/sets/outer_sets.hpp"
-#include "all_maneuvers/sets/set_sweep.hpp"
+#include "all_maneuvers/sets/workers.hpp"
 
 namespace snug::detail::sets {
 
-/// Cells in rising order; what lies between them holds nothing.
-class LayerBuilder {
+/// Some rows of a layer.
+class LayerRows {
 public:
-    [[nodiscard]] bool empty() const { return layer_.low.empty(); }
-    void expect(std::size_t cells) {
-        layer_.low.reserve(cells + vector_padding);
-        layer_.high.reserve(cells + vector_padding);
-    }
-    void add(int row, int cell, Micro low, Micro high) {
-        Spans& spans = layer_.spans;
-        if (empty()) spans.first = row;
-        while (spans.last() < row) spans.rows.push_back({0, -1, layer_.low.size()});
-        Span& span = spans.rows.back();
-        if (span.empty()) span = {cell, cell - 1, span.begin};
-        for (; span.to < cell; ++span.to) {
-            layer_.low.push_back(nowhere);
-            layer_.high.push_back(-nowhere);
-        }
-        layer_.low.back() = low;
-        layer_.high.back() = high;
-    }
-    /// The same for a stretch of a row.
+    [[nodiscard]] bool empty() const { return low_.empty(); }
+    /// Intervals of cells from one on, low > high where there is none. Rows in rising order; what is not added holds nothing.
     void add(int row, int first_cell, const Micro* low, const Micro* high, std::size_t count) {
         std::size_t begin = 0;
         while (begin < count && low[begin] > high[begin]) ++begin;
         while (begin < count && low[count - 1] > high[count - 1]) --count;
         if (begin == count) return;
-        add(row, first_cell + static_cast<int>(begin), low[begin], high[begin]);
-        layer_.spans.rows.back().to = first_cell + static_cast<int>(count) - 1;
-        layer_.low.insert(layer_.low.end(), low + begin + 1, low + count);
-        layer_.high.insert(layer_.high.end(), high + begin + 1, high + count);
-    }
-    Layer done() {
-        layer_.spans.cells = layer_.low.size();
-        layer_.low.resize(layer_.spans.cells + vector_padding, nowhere);
-        layer_.high.resize(layer_.spans.cells + vector_padding, -nowhere);
-        layer_.low.shrink_to_fit();
-        layer_.high.shrink_to_fit();
-        return std::move(layer_);
+        if (empty()) spans_.first = row;
+        while (spans_.last() < row) spans_.rows.emplace_back();
+        spans_.rows.back() = {first_cell + static_cast<int>(begin), first_cell + static_cast<int>(count) - 1, 0};
+        low_.insert(low_.end(), low + begin, low + count);
+        high_.insert(high_.end(), high + begin, high + count);
     }
 
+    friend Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::size_t layers,
+                               const std::function<void(Rows, LayerRows*)>& make);
+
 private:
-    Layer layer_;
+    Spans spans_;
+    std::vector<Micro> low_, high_;
 };
+
+constexpr int rows_at_once = 128;
+
+/// Does something for all rows, some at a time, perhaps at the same time as others.
+template <class Do>
+void in_blocks(Workers* workers, const Watching& watch, Rows rows, const Do& act) {
+    if (rows.first > rows.last) return;
+    in_parts(workers, (rows.last - rows.first) / rows_at_once + 1, watch, [&](int block, const Watching&) {
+        const int first = rows.first + block * rows_at_once;
+        act(Rows{first, std::min(first + rows_at_once - 1, rows.last)});
+    });
+}
+
+/// So many layers. `make` is told some of the rows at a time, perhaps at the same time as others, and where to add those of each
+/// layer.
+Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::size_t layers,
+                    const std::function<void(Rows rows, LayerRows* layers)>& make);
 
 }  // namespace snug::detail::sets

@@ -67,91 +67,135 @@ Layer hull(const std::vector<const Limits*>& several) {
     return all;
 }
 
-Limits OuterLattice::clipped(const Limits& coarser) const {
-    std::vector<Parents> parents;
-    for (const Layer& layer : coarser) parents.push_back({&layer});
-    std::vector<Micro> lows, highs;
-    Limits limits;
-    for (const Layer& layer : free_) {
-        LayerBuilder mine;
-        for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
-            const Span span = layer.spans.of(row);
-            int from = span.to + 1, to = span.from - 1;
-            for (const Parents& of : parents) {
-                const Span columns = of.columns(row);
-                if (columns.empty()) continue;
-                from = std::min(from, std::max(span.from, cell_of(columns.from)));
-                to = std::max(to, std::min(span.to, cell_of(columns.to)));
-            }
-            if (from > to) continue;
-            const auto count = static_cast<std::size_t>(to - from) + 1;
-            lows.assign(count, nowhere);
-            highs.assign(count, -nowhere);
-            for (int cell = from; cell <= to; ++cell) {
-                const Micro free_low = layer.low[span.at(cell)], free_high = layer.high[span.at(cell)];
-                if (free_low > free_high) continue;
-                const int column = column_of(row, cell);
-                Micro &low = lows[static_cast<std::size_t>(cell - from)],
-                      &high = highs[static_cast<std::size_t>(cell - from)];
-                for (const Parents& of : parents) {
-                    const auto [least, most] = of.limits(row, column);
-                    const Micro lower = std::max(free_low, least), upper = std::min(free_high, most);
-                    if (lower > upper) continue;
-                    low = std::min(low, lower);
-                    high = std::max(high, upper);
-                }
-            }
-            mine.add(row, from, lows.data(), highs.data(), count);
+Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::size_t layers,
+                    const std::function<void(Rows, LayerRows*)>& make) {
+    const int blocks = rows.first > rows.last ? 0 : (rows.last - rows.first) / rows_at_once + 1;
+    std::vector<LayerRows> made(layers * static_cast<std::size_t>(blocks));
+    const auto of = [&](int block) { return made.data() + layers * static_cast<std::size_t>(block); };
+    in_blocks(workers, watch, rows, [&](Rows some) { make(some, of((some.first - rows.first) / rows_at_once)); });
+    Limits all(layers);
+    for (std::size_t k = 0; k < layers; ++k) {
+        // In one piece: rows between those that hold anything stay empty.
+        Layer& layer = all[k];
+        std::vector<std::size_t> begins;
+        for (int block = 0; block < blocks; ++block) {
+            LayerRows& some = of(block)[k];
+            begins.push_back(layer.spans.cells);
+            layer.spans.cells += some.low_.size();
+            if (some.empty()) continue;
+            if (layer.spans.rows.empty()) layer.spans.first = some.spans_.first;
+            layer.spans.rows.resize(static_cast<std::size_t>(some.spans_.first - layer.spans.first));
+            layer.spans.rows.insert(layer.spans.rows.end(), some.spans_.rows.begin(), some.spans_.rows.end());
         }
-        limits.push_back(mine.done());
-    }
-    return limits;
-}
-
-Pairs laid_out(const Pairs& pairs, const Limits& limits, const Limits& part) {
-    Pairs all;
-    for (std::size_t k = 0; k < limits.size(); ++k) {
-        const Spans& spans = part[k].spans;
-        Pairs::Of mine{std::vector<Micro>(spans.cells + vector_padding, -nowhere),
-                       std::vector<Micro>(spans.cells + vector_padding, nowhere)};
-        for (int row = spans.first; row <= spans.last(); ++row) {
-            const Span span = spans.of(row);
-            if (span.empty()) continue;
-            const auto from = static_cast<std::ptrdiff_t>(limits[k].spans.of(row).at(span.from));
-            const auto to = static_cast<std::ptrdiff_t>(span.begin), count = std::ptrdiff_t(span.to) - span.from + 1;
-            std::copy_n(pairs.layers[k].z.begin() + from, count, mine.z.begin() + to);
-            std::copy_n(pairs.layers[k].w.begin() + from, count, mine.w.begin() + to);
-        }
-        all.layers.push_back(std::move(mine));
+        layer.spans.store();
+        layer.low.resize(layer.spans.cells + vector_padding, nowhere);
+        layer.high.resize(layer.spans.cells + vector_padding, -nowhere);
+        in_parts(workers, blocks, watch, [&](int block, const Watching&) {
+            LayerRows some = std::move(of(block)[k]);
+            const auto begin = static_cast<std::ptrdiff_t>(begins[static_cast<std::size_t>(block)]);
+            std::copy(some.low_.begin(), some.low_.end(), layer.low.begin() + begin);
+            std::copy(some.high_.begin(), some.high_.end(), layer.high.begin() + begin);
+        });
     }
     return all;
 }
 
-Limits OuterLattice::within(const Pairs& pairs, const Limits& limits, Direction direction) const {
-    const Numbers& of = numbers(direction);
-    Limits all;
-    std::vector<Micro> lows, highs;
-    for (std::size_t k = 0; k < limits.size(); ++k) {
-        const Layer& layer = limits[k];
-        LayerBuilder mine;
-        for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
-            const Span span = layer.spans.of(row);
-            if (span.empty()) continue;
-            const auto count = static_cast<std::size_t>(span.to - span.from) + 1;
-            lows.resize(count);
-            highs.resize(count);
-            const Micro *z = pairs.layers[k].z.data() + span.begin, *w = pairs.layers[k].w.data() + span.begin;
-            const Micro *free_low = layer.low.data() + span.begin, *free_high = layer.high.data() + span.begin;
-            const Micro *up = of.up.at(row, span.from), *down = of.down.at(row, span.from);
-            for (std::size_t i = 0; i < count; ++i) {
-                const Micro low = std::max(free_low[i], w[i] + down[i]), high = std::min(free_high[i], z[i] + up[i]);
-                lows[i] = low <= high ? low : nowhere;
-                highs[i] = low <= high ? high : -nowhere;
-            }
-            mine.add(row, span.from, lows.data(), highs.data(), count);
-        }
-        all.push_back(mine.done());
+namespace {
+
+/// For cells that are about to be written.
+void make_room(Layer& layer) {
+    layer.spans.store();
+    layer.low.resize(layer.spans.cells + vector_padding);
+    layer.high.resize(layer.spans.cells + vector_padding);
+}
+
+/// Tells `write` where cells of some rows of a layer go; those at either end that hold nothing are dropped then.
+template <class Write>
+void write_rows(Layer& layer, Rows rows, const Write& write) {
+    Spans& spans = layer.spans;
+    for (int row = std::max(rows.first, spans.first); row <= std::min(rows.last, spans.last()); ++row) {
+        Span& span = spans.rows[static_cast<std::size_t>(row - spans.first)];
+        if (span.empty()) continue;
+        const auto count = static_cast<std::size_t>(span.to - span.from) + 1;
+        Micro *low = layer.low.data() + span.begin, *high = layer.high.data() + span.begin;
+        std::fill_n(low, count, nowhere);
+        std::fill_n(high, count, -nowhere);
+        write(row, span.from, low, high, count);
+        while (!span.empty() && *low > *high) ++span.from, ++span.begin, ++low, ++high;
+        while (!span.empty() && layer.low[span.at(span.to)] > layer.high[span.at(span.to)]) --span.to;
     }
+}
+
+}  // namespace
+
+void OuterLattice::clip(const Limits& coarser, Limits& clipped) const {
+    std::vector<Parents> parents;
+    for (const Layer& layer : coarser) parents.push_back({&layer});
+    clipped.resize(free_.size());
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+        const Layer& layer = free_[k];
+        Layer& mine = clipped[k];
+        mine.spans = layer.spans;
+        for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
+            Span& span = mine.spans.rows[static_cast<std::size_t>(row - layer.spans.first)];
+            const Span all = span;
+            span = {all.to + 1, all.from - 1, 0};
+            for (const Parents& of : parents) {
+                const Span columns = of.columns(row);
+                if (columns.empty()) continue;
+                span.from = std::min(span.from, std::max(all.from, cell_of(columns.from)));
+                span.to = std::max(span.to, std::min(all.to, cell_of(columns.to)));
+            }
+            if (span.empty()) span = {};
+        }
+        make_room(mine);
+    }
+    in_blocks(workers_, [] {}, rows_of({&clipped}), [&](Rows rows) {
+        std::vector<Micro> least, most;
+        for (std::size_t k = 0; k < free_.size(); ++k) {
+            const Layer& layer = free_[k];
+            write_rows(clipped[k], rows, [&](int row, int first, Micro* low, Micro* high, std::size_t count) {
+                const std::size_t at = layer.spans.of(row).at(first);
+                for (const Parents& of : parents) {
+                    least.assign(count + vector_padding, nowhere);
+                    most.assign(count + vector_padding, -nowhere);
+                    of.limits(row, first, count, least.data(), most.data());
+                    cut({low, high, layer.low.data() + at, layer.high.data() + at, least.data(), most.data(), nullptr,
+                         nullptr},
+                        count);
+                }
+            });
+        }
+    });
+}
+
+Limits OuterLattice::within(const Pairs& pairs, const Limits& beside, const Limits& limits, Direction direction) const {
+    const Numbers& of = numbers(direction);
+    const auto pairs_at = [&](std::size_t k, int row, int cell) { return beside[k].spans.of(row).at(cell); };
+    Limits all(limits.size());
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+        const Spans& spans = limits[k].spans;
+        all[k].spans = spans;
+        for (int row = spans.first; row <= spans.last(); ++row) {
+            Span& span = all[k].spans.rows[static_cast<std::size_t>(row - spans.first)];
+            if (span.empty()) continue;
+            const Stretch part = reached(pairs.layers[k].z.data() + pairs_at(k, row, span.from),
+                                         static_cast<std::size_t>(span.to - span.from) + 1);
+            span = part.from == part.to ? Span{} : Span{span.from + static_cast<int>(part.from), span.from + static_cast<int>(part.to) - 1, 0};
+        }
+        make_room(all[k]);
+    }
+    in_blocks(workers_, [] {}, rows_of({&all}), [&](Rows rows) {
+        for (std::size_t k = 0; k < limits.size(); ++k) {
+            const Layer& layer = limits[k];
+            write_rows(all[k], rows, [&](int row, int first, Micro* low, Micro* high, std::size_t count) {
+                const std::size_t at = layer.spans.of(row).at(first), pair = pairs_at(k, row, first);
+                cut({low, high, layer.low.data() + at, layer.high.data() + at, pairs.layers[k].w.data() + pair,
+                     pairs.layers[k].z.data() + pair, of.down.at(row, first), of.up.at(row, first)},
+                    count);
+            });
+        }
+    });
     return all;
 }
 

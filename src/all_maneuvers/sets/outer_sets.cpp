@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "all_maneuvers/sets/layer_builder.hpp"
 #include "all_maneuvers/sets/set_sweep.hpp"
+#include "all_maneuvers/sets/workers.hpp"
 #include "model/angles.hpp"
 
 namespace snug::detail::sets {
@@ -27,8 +29,9 @@ void sort_longest_first(std::vector<Interval>& intervals) {
               [](const Interval& a, const Interval& b) { return a.high - a.low > b.high - b.low; });
 }
 
-OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch)
-    : h_(h), radius_(place.radius), sine_step_(h / (2.0 * place.radius)), start_(place.start) {
+OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch,
+                           Workers* workers)
+    : h_(h), radius_(place.radius), sine_step_(h / (2.0 * place.radius)), start_(place.start), workers_(workers) {
     x0_ = place.start.x - h0 / 3.0 + h / 2.0;
     sine0_ = angles::sin(place.start.heading);
     first_column_ = static_cast<int>(std::floor((-steepest_sine - sine0_) / sine_step_ - 1.0)) - 1;
@@ -97,15 +100,6 @@ void OuterLattice::number_columns() {
     }
 }
 
-Pairs OuterLattice::none(const Limits& limits) const {
-    Pairs pairs;
-    for (const Layer& layer : limits) {
-        pairs.layers.push_back({std::vector<Micro>(layer.spans.cells + vector_padding, -nowhere),
-                                std::vector<Micro>(layer.spans.cells + vector_padding, nowhere)});
-    }
-    return pairs;
-}
-
 namespace {
 
 /// What a stretch of a layer's row takes things in with.
@@ -116,6 +110,27 @@ Taking taking_of(Pairs::Of& pairs, const Layer& layer, const Span& span, const N
     return {pairs.z.data() + at,          pairs.w.data() + at,         layer.low.data() + at,
             layer.high.data() + at,       numbers.up.at(row, cell),    numbers.down.at(row, cell),
             numbers.z_high.at(row, cell), numbers.w_low.at(row, cell), apart.at(row, cell)};
+}
+
+/// Nothing, beside some rows of limits.
+void clear(Pairs& pairs, const Limits& limits, Rows rows) {
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+        for (int row = rows.first; row <= rows.last; ++row) {
+            const Span span = limits[k].spans.of(row);
+            if (span.empty()) continue;
+            const auto count = static_cast<std::size_t>(span.to - span.from) + 1;
+            std::fill_n(pairs.layers[k].z.data() + span.begin, count, -nowhere);
+            std::fill_n(pairs.layers[k].w.data() + span.begin, count, nowhere);
+        }
+    }
+}
+
+void make_room(Pairs& pairs, const Limits& limits) {
+    pairs.layers.resize(limits.size());
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+        pairs.layers[k].z.resize(limits[k].low.size());
+        pairs.layers[k].w.resize(limits[k].low.size());
+    }
 }
 
 }  // namespace
@@ -132,8 +147,9 @@ void OuterLattice::offer(Pairs& pairs, const Limits& limits, Direction direction
     }
 }
 
-Pairs OuterLattice::begin(const Limits& places, const Limits& limits, Direction direction) const {
-    Pairs pairs = none(limits);
+void OuterLattice::begin(const Limits& places, const Limits& limits, Direction direction, Pairs& pairs) const {
+    make_room(pairs, limits);
+    clear(pairs, limits, rows_of({&limits}));
     const Numbers& of = numbers(direction);
     std::vector<Micro> z, w;
     for (const Layer& from : places) {
@@ -151,7 +167,6 @@ Pairs OuterLattice::begin(const Limits& places, const Limits& limits, Direction 
             offer(pairs, limits, direction, row, given, z.data(), w.data());
         }
     }
-    return pairs;
 }
 
 CellGrid::Place CellGrid::place_of(const Pose& pose, Direction direction) const {
@@ -168,15 +183,15 @@ CellGrid::Place CellGrid::place_of(const Pose& pose, Direction direction) const 
     return {i + j, d, (in_a - h) * t_low - level, (in_b - h) * t_high + level};
 }
 
-Pairs OuterLattice::begin_at_start(const Limits& limits, Direction direction) const {
-    Pairs pairs = none(limits);
+void OuterLattice::begin_at_start(const Limits& limits, Direction direction, Pairs& pairs) const {
+    make_room(pairs, limits);
+    clear(pairs, limits, rows_of({&limits}));
     const CellGrid::Place at = grid().place_of(start_, direction);
     const int cell = cell_of(at.column);
     std::vector<Micro> z(1 + vector_padding, -nowhere), w(1 + vector_padding, nowhere);
     z[0] = rounded_up(start_.y - at.up + 1e-9);
     w[0] = rounded_down(start_.y - at.down - 1e-9);
     offer(pairs, limits, direction, at.row, {cell, cell, 0}, z.data(), w.data());
-    return pairs;
 }
 
 bool OuterLattice::holds(const Pairs& pairs, const Limits& limits, Direction direction, const Pose& pose) const {
@@ -192,35 +207,37 @@ bool OuterLattice::holds(const Pairs& pairs, const Limits& limits, Direction dir
     return false;
 }
 
-Pairs OuterLattice::turn(const Pairs& before, const Limits& limits_before, const Limits& limits,
-                         Direction direction) const {
-    Pairs pairs = none(limits);
+void OuterLattice::turn(const Pairs& before, const Limits& limits_before, const Limits& limits, Direction direction,
+                        Pairs& pairs) const {
+    make_room(pairs, limits);
     const Numbers& of = numbers(direction);
-    std::vector<Micro> z, w;
-    for (std::size_t m = 0; m < limits_before.size(); ++m) {
-        const Layer& from = limits_before[m];
-        for (int row = from.spans.first; row <= from.spans.last(); ++row) {
-            const Span given = from.spans.of(row);
-            if (given.empty()) continue;
-            const auto count = static_cast<std::size_t>(given.to - given.from) + 1;
-            z.assign(count + vector_padding, -nowhere);
-            w.assign(count + vector_padding, nowhere);
-            const Micro *old_z = before.layers[m].z.data() + given.begin,
-                        *old_w = before.layers[m].w.data() + given.begin;
-            const Micro *more_z = of.turn_z.at(row, given.from), *more_w = of.turn_w.at(row, given.from);
-            for (std::size_t i = 0; i < count; ++i) {
-                z[i] = (old_z[i] + more_z[i] + (coarse_grid - 1)) & ~(coarse_grid - 1);
-                w[i] = (old_w[i] + more_w[i]) & ~(coarse_grid - 1);
+    in_blocks(workers_, [] {}, rows_of({&limits}), [&](Rows rows) {
+        clear(pairs, limits, rows);
+        std::vector<Micro> z, w;
+        for (std::size_t m = 0; m < limits_before.size(); ++m) {
+            for (int row = rows.first; row <= rows.last; ++row) {
+                const Span given = limits_before[m].spans.of(row);
+                if (given.empty()) continue;
+                const auto count = static_cast<std::size_t>(given.to - given.from) + 1;
+                z.resize(count + vector_padding);
+                w.resize(count + vector_padding);
+                const Micro *old_z = before.layers[m].z.data() + given.begin,
+                            *old_w = before.layers[m].w.data() + given.begin;
+                const Micro *more_z = of.turn_z.at(row, given.from), *more_w = of.turn_w.at(row, given.from);
+                for (std::size_t i = 0; i < count; ++i) {
+                    z[i] = (old_z[i] + more_z[i] + (coarse_grid - 1)) & ~(coarse_grid - 1);
+                    w[i] = (old_w[i] + more_w[i]) & ~(coarse_grid - 1);
+                }
+                offer(pairs, limits, direction, row, given, z.data(), w.data());
             }
-            offer(pairs, limits, direction, row, given, z.data(), w.data());
         }
-    }
-    return pairs;
+    });
 }
 
 void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch) const {
     const Numbers& of = numbers(direction);
     const bool forward = direction == Direction::forward;
+    std::size_t updates = 0;
     const auto [first_row, last_row] = rows_of({&limits});
     // The row before, at full width, with nothing around what was reached in it.
     const int first_cell = cell_of(first_column_) - 1;
@@ -279,19 +296,25 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
             std::copy_n(now.w.begin() + from, count, mine.w.begin() + (mine.live.from - first_cell));
         }
     }
+    updates_[forward ? 0 : 1] += updates;
 }
 
 BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,
                            const Watching& watch) {
     const Limits& limits = lattice.free();
     BothWays<Pairs> next;
-    for (const Direction direction : both_directions) {
+    in_parts(lattice.workers(), 2, watch, [&](int part, const Watching& watched) {
+        const Direction direction = both_directions[part];
         const Pairs* before = direction == Direction::forward ? last_backward : last_forward;
-        Pairs pairs = before ? lattice.turn(*before, limits, limits, direction)
-                             : lattice.begin(lattice.parked(), limits, direction);
-        lattice.sweep(pairs, limits, direction, watch);
+        Pairs pairs;
+        if (before) {
+            lattice.turn(*before, limits, limits, direction, pairs);
+        } else {
+            lattice.begin(lattice.parked(), limits, direction, pairs);
+        }
+        lattice.sweep(pairs, limits, direction, watched);
         next.of(direction).push_back(std::move(pairs));
-    }
+    });
     return next;
 }
 

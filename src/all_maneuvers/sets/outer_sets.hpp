@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "all_maneuvers/sets/chart.hpp"
@@ -61,7 +62,7 @@ struct Span {
     [[nodiscard]] std::size_t at(int cell) const { return begin + static_cast<std::size_t>(cell - from); }
 };
 
-/// Of every row from the first on.
+/// Of every row from the first on. Where they are stored there may be numbers of none between them.
 struct Spans {
     int first = 0;
     std::vector<Span> rows;
@@ -107,9 +108,6 @@ struct Pairs {
     std::vector<Of> layers;
 };
 
-/// Pairs beside limits, beside a part of these.
-Pairs laid_out(const Pairs& pairs, const Limits& limits, const Limits& part);
-
 inline Direction other(Direction direction) {
     return direction == Direction::forward ? Direction::backward : Direction::forward;
 }
@@ -149,11 +147,14 @@ struct CellGrid {
     [[nodiscard]] Place place_of(const Pose& pose, Direction direction) const;
 };
 
+class Workers;
+
 class OuterLattice {
 public:
     /// Cells of side h, the start pose a third of h0 from the corner of one; h0 / h is a power of two. Only within what is
-    /// left of the lattice twice as coarse, if given.
-    OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch);
+    /// left of the lattice twice as coarse, if given. What is large is computed by workers, if there are any, who must outlive it.
+    OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch,
+                 Workers* workers = nullptr);
 
     [[nodiscard]] double h() const { return h_; }
     [[nodiscard]] double x(int row) const { return x0_ + row * (h_ / 2.0); }
@@ -162,14 +163,12 @@ public:
     [[nodiscard]] const Limits& free() const { return free_; }
     [[nodiscard]] const Limits& parked() const { return parked_; }
 
-    /// Nothing.
-    [[nodiscard]] Pairs none(const Limits& limits) const;
-    /// Places in intervals of y, as the beginning of a move.
-    [[nodiscard]] Pairs begin(const Limits& places, const Limits& limits, Direction direction) const;
-    [[nodiscard]] Pairs begin_at_start(const Limits& limits, Direction direction) const;
-    /// A move of the other direction as the beginning of one of this direction, rounded outward to a coarser grid.
-    [[nodiscard]] Pairs turn(const Pairs& before, const Limits& limits_before, const Limits& limits,
-                             Direction direction) const;
+    /// The beginning of a move of pairs beside limits; what the pairs held is lost, but their memory is used again. Of places in
+    /// intervals of y, of the start, and of a move of the other direction, rounded outward to a coarser grid.
+    void begin(const Limits& places, const Limits& limits, Direction direction, Pairs& pairs) const;
+    void begin_at_start(const Limits& limits, Direction direction, Pairs& pairs) const;
+    void turn(const Pairs& before, const Limits& limits_before, const Limits& limits, Direction direction,
+              Pairs& pairs) const;
     /// Everything the move reaches from where it begins.
     void sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch) const;
 
@@ -177,15 +176,19 @@ public:
     [[nodiscard]] bool holds_start(const Pairs& pairs, const Limits& limits, Direction direction) const {
         return holds(pairs, limits, direction, start_);
     }
-    /// The limits cut down to what the pairs hold.
-    [[nodiscard]] Limits within(const Pairs& pairs, const Limits& limits, Direction direction) const;
+    /// Limits, a part of those that pairs lie beside, cut down to what the pairs hold.
+    [[nodiscard]] Limits within(const Pairs& pairs, const Limits& beside, const Limits& limits,
+                                Direction direction) const;
     /// The free intervals, clipped to what is left of the lattice twice as coarse.
-    [[nodiscard]] Limits clipped(const Limits& coarser) const;
+    void clip(const Limits& coarser, Limits& clipped) const;
 
     [[nodiscard]] CellGrid grid() const { return {h_, radius_, x0_, sine0_, sine_step_}; }
 
-    /// Cells computed so far.
-    mutable std::size_t updates = 0;
+    /// Cells computed since that was asked last.
+    [[nodiscard]] std::size_t take_updates() const {
+        return std::exchange(updates_[0], 0) + std::exchange(updates_[1], 0);
+    }
+    [[nodiscard]] Workers* workers() const { return workers_; }
 
 private:
     struct Numbers {
@@ -209,6 +212,8 @@ private:
     Numbers forward_, backward_;
     ColumnNumbers apart_;  ///< z - w is at least this
     Limits free_, parked_;
+    Workers* workers_;
+    mutable std::size_t updates_[2] = {};  ///< of moves forward and backward
 };
 
 /// The moves with so many changes, one forward and one backward, from those with one less, if there are any. Nothing is clipped.

@@ -33,6 +33,31 @@ struct Parents {
         }
         return all;
     }
+    /// Of the cells of a row from one on; where there is no parent, the numbers stay as they are.
+    void limits(int row, int first_cell, std::size_t count, Micro* low, Micro* high) const {
+        const int last_cell = first_cell + static_cast<int>(count) - 1;
+        const auto give = [&](int parent_row, int beside) {
+            const Span span = layer->spans.of(parent_row);
+            const int shift = (parent_row & 1) - beside;  // parent p has a child in cell 2 p + shift
+            const int from = std::max(span.from, (first_cell - shift + 1) >> 1);
+            const int to = std::min(span.to, (last_cell - shift) >> 1);
+            if (from > to) return;
+            const Micro *parents_low = layer->low.data() + span.at(from), *parents_high = layer->high.data() + span.at(from);
+            const auto first = static_cast<std::size_t>(2 * from + shift - first_cell);
+            const auto parents = static_cast<std::size_t>(to - from) + 1;
+            for (std::size_t i = 0; i < parents; ++i) {
+                low[first + 2 * i] = parents_low[i];
+                high[first + 2 * i] = parents_high[i];
+            }
+        };
+        if ((row & 1) == 0) {
+            give(row / 2, 0);
+            give(row / 2 - 1, 0);
+        } else {
+            give((row - 1) >> 1, 0);
+            give((row - 1) >> 1, 1);
+        }
+    }
     struct Limit {
         Micro low, high;
     };

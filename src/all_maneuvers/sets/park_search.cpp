@@ -9,6 +9,7 @@
 #include "all_maneuvers/sets/inner_sets.hpp"
 #include "all_maneuvers/sets/map_sets.hpp"
 #include "all_maneuvers/sets/route.hpp"
+#include "all_maneuvers/sets/workers.hpp"
 #include "model/angles.hpp"
 #include "model/polygon.hpp"
 
@@ -78,61 +79,84 @@ Layer hull_of(const BothWays<Limits>& moves) {
     return hull(several);
 }
 
-/// The move that begins with the pairs; the limits are cut down to what it reaches.
-Pairs driven(const OuterLattice& lattice, Pairs pairs, Limits& limits, Direction direction, const Watching& watch) {
-    lattice.sweep(pairs, limits, direction, watch);
-    Limits cut = lattice.within(pairs, limits, direction);
-    Pairs kept = laid_out(pairs, limits, cut);
-    limits = std::move(cut);
-    return kept;
-}
-
 /// From what is left of the lattice twice as coarse to what is left of this one; nothing when the start is out of reach.
 /// Throws TooLarge when it is not, but what is left cannot be kept.
-std::optional<Left> refined(const ChartPlace& place, double h0, Left left, ParkBounds& bounds, const Watching& watch) {
+std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds& bounds, const Watching& watch) {
     const double h = left.h / 2.0;
     const std::size_t moves = left.moves.forward.size();
     // Each cell has four children. What is free in them, and two moves each way, are held beside what is kept.
     if (4 * bytes_of(left.hull_of_all) > most_bytes / 2) throw TooLarge{};
-    const OuterLattice lattice(place, h, h0, &left.hull_of_all, watch);
+    const OuterLattice lattice(question.place, h, question.coarsest, &left.hull_of_all, watch, question.workers);
     BothWays<Limits>& limits = left.moves;
-    BothWays<Pairs> now, before;
+    /// A move of either direction, and that before it.
+    struct Move {
+        Limits limits;
+        Pairs pairs;
+    };
+    BothWays<Move> now, before;
+    for (const Direction direction : both_directions) {
+        now.of(direction).resize(1);
+        before.of(direction).resize(1);
+    }
+    // Moves that begin with one direction have nothing to do with those that begin with the other.
+    const auto drive = [&](std::size_t k, const auto& begin, const auto& which) {
+        const bool one_is_empty = holds_nothing(limits.forward[k]) || holds_nothing(limits.backward[k]);
+        in_parts(one_is_empty ? nullptr : question.workers, 2, watch, [&](int part, const Watching& watched) {
+            const Direction direction = both_directions[part];
+            Move& move = now.of(direction).front();
+            Limits& mine = limits.of(which(direction))[k];
+            begin(direction, mine, move, before.of(other(direction)).front());
+            lattice.sweep(move.pairs, move.limits, direction, watched);
+            mine = lattice.within(move.pairs, move.limits, move.limits, direction);
+        });
+        std::swap(now, before);
+    };
     // Outward from the parked poses.
     std::size_t bytes = bytes_of(lattice.free());
     bool all_kept = true;
     for (std::size_t k = 0; k < moves; ++k) {
+        drive(
+            k,
+            [&](Direction direction, const Limits& mine, Move& move, const Move& last) {
+                lattice.clip(mine, move.limits);
+                if (k == 0) {
+                    lattice.begin(lattice.parked(), move.limits, direction, move.pairs);
+                } else {
+                    lattice.turn(last.pairs, last.limits, move.limits, direction, move.pairs);
+                }
+            },
+            [](Direction direction) { return direction; });
         for (const Direction direction : both_directions) {
-            Limits& mine = limits.of(direction)[k];
-            mine = lattice.clipped(mine);
-            Pairs pairs = k == 0 ? lattice.begin(lattice.parked(), mine, direction)
-                                 : lattice.turn(before.of(other(direction)).front(), limits.of(other(direction))[k - 1],
-                                                mine, direction);
-            now.of(direction).push_back(driven(lattice, std::move(pairs), mine, direction, watch));
-            bytes += bytes_of(mine);
-            all_kept = all_kept && bytes + 4 * bytes_of(mine) <= most_bytes;
+            const std::size_t of_move = bytes_of(limits.of(direction)[k]);
+            bytes += of_move;
+            all_kept = all_kept && bytes + 4 * of_move <= most_bytes;
         }
-        before = std::exchange(now, {});
         if (all_kept) continue;
         for (const Direction direction : both_directions) std::fill_n(limits.of(direction).begin(), k, Limits{});
     }
     bool reached = false;
-    for (const Direction direction : both_directions)
-        reached = reached || lattice.holds_start(before.of(direction).front(), limits.of(direction).back(), direction);
-    bounds.updates += std::exchange(lattice.updates, 0);
+    for (const Direction direction : both_directions) {
+        const Move& last = before.of(direction).front();
+        reached = reached || lattice.holds_start(last.pairs, last.limits, direction);
+    }
+    bounds.updates += lattice.take_updates();
     if (!reached) return std::nullopt;
     if (!all_kept) throw TooLarge{};
     // Then from the start. Driving forward when leaving is driving backward when parking, and move k is the last but k.
     for (std::size_t k = moves; k-- > 0;) {
-        for (const Direction direction : both_directions) {
-            Limits& mine = limits.of(other(direction))[k];
-            Pairs pairs = k + 1 == moves ? lattice.begin_at_start(mine, direction)
-                                         : lattice.turn(before.of(other(direction)).front(),
-                                                        limits.of(direction)[k + 1], mine, direction);
-            now.of(direction).push_back(driven(lattice, std::move(pairs), mine, direction, watch));
-        }
-        before = std::exchange(now, {});
+        drive(
+            k,
+            [&](Direction direction, Limits& mine, Move& move, const Move& last) {
+                move.limits = std::move(mine);
+                if (k + 1 == moves) {
+                    lattice.begin_at_start(move.limits, direction, move.pairs);
+                } else {
+                    lattice.turn(last.pairs, last.limits, move.limits, direction, move.pairs);
+                }
+            },
+            other);
     }
-    bounds.updates += lattice.updates;
+    bounds.updates += lattice.take_updates();
     left.h = h;
     left.hull_of_all = hull_of(limits);
     return left;
@@ -418,7 +442,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         return;
     }
     const double h0 = question.coarsest;
-    const OuterLattice lattice(question.place, h0, h0, nullptr, watch);
+    const OuterLattice lattice(question.place, h0, h0, nullptr, watch, question.workers);
     int looks_at_slot = question.slot ? 0 : most_looks_at_slot;
     bool found_elsewhere = false;  ///< the way, so no lattice of sets has it yet
     const auto take_from_elsewhere = [&](std::vector<Path> way) {
@@ -457,10 +481,10 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         if (h < h0) ask_slot();
         if (bounds.meet() || bounds.lower > question.max_changes) break;
         std::optional<OuterLattice> finer;
-        if (h < h0) finer.emplace(question.place, h, h0, nullptr, watch);
+        if (h < h0) finer.emplace(question.place, h, h0, nullptr, watch, question.workers);
         const OuterLattice& here = finer ? *finer : lattice;
         Counted counted = count_from_below(here, question.max_changes, watch);
-        bounds.updates += std::exchange(here.updates, 0);
+        bounds.updates += here.take_updates();
         bounds.spacing = h;
         bounds.lower = std::max(bounds.lower, counted.changes);
         bounds.impossible = counted.impossible;
@@ -490,14 +514,18 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
             for (std::size_t k = last + 1; k-- > 0; direction = other(direction)) {
                 const std::size_t i = last - k;
                 if (i == moves.size()) {
-                    Pairs pairs = i == 0 ? lattice.begin_at_start(lattice.free(), other(direction))
-                                         : lattice.turn(moves.back(), lattice.free(), lattice.free(), other(direction));
+                    Pairs pairs;
+                    if (i == 0) {
+                        lattice.begin_at_start(lattice.free(), other(direction), pairs);
+                    } else {
+                        lattice.turn(moves.back(), lattice.free(), lattice.free(), other(direction), pairs);
+                    }
                     lattice.sweep(pairs, lattice.free(), other(direction), watch);
                     moves.push_back(std::move(pairs));
                 }
-                const Limits reached = lattice.within(out.of(direction)[k], lattice.free(), direction);
-                const Pairs back = laid_out(moves[i], lattice.free(), reached);
-                left.moves.of(direction)[k] = lattice.within(back, reached, other(direction));
+                const Limits reached =
+                    lattice.within(out.of(direction)[k], lattice.free(), lattice.free(), direction);
+                left.moves.of(direction)[k] = lattice.within(moves[i], lattice.free(), reached, other(direction));
             }
         }
         left.hull_of_all = hull_of(left.moves);
@@ -518,7 +546,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     double found_at = h0;  ///< spacing of the lattice that has the way
     const auto left_for = [&](int changes, double h) {
         std::optional<Left> left = left_with(changes);
-        while (left && left->h > 1.001 * h) left = refined(question.place, h0, std::move(*left), bounds, watch);
+        while (left && left->h > 1.001 * h) left = refined(question, std::move(*left), bounds, watch);
         return left;
     };
     const auto driven_at = [&](int changes, double h) {
@@ -582,7 +610,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
             // None found with as few as the lower bound: how many may it take?
             int changes = bounds.lower + 1;
             if ((!bounds.upper || found_elsewhere) && h > 0.3 * h0) {
-                const OuterLattice all(question.place, h, h0, nullptr, watch);
+                const OuterLattice all(question.place, h, h0, nullptr, watch, question.workers);
                 const int most = std::min(question.max_changes, bounds.lower + far_above);
                 changes = std::max(
                     changes,

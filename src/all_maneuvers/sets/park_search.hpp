@@ -18,6 +18,7 @@ struct ParkQuestion {
     double coarsest = 0.08, finest = 0.01;  ///< spacings, a power of two apart [m]
     int finer = 0;  ///< how many times the finest is halved where so little is left that this is soon done
     bool roomiest = true;
+    Workers* workers = nullptr;  ///< if there are any
 };
 
 /// What is known. It only ever gets better, so that it can be used whenever the search is given up.

@@ -23,6 +23,16 @@ struct Given {
 /// `count` cells take in what is given. Whole vectors are read beyond the end: up to `vector_padding` numbers more.
 void take_in(const Taking& taking, const Given& given, std::size_t count);
 
+/// Of so many cells the intervals cut down to others: low + more_low to high + more_high, nothing added if these are null. Each
+/// takes them into the hull that it has. Whole vectors are read, as above.
+struct Cutting {
+    Micro *low, *high;
+    const Micro *free_low, *free_high;
+    const Micro *limit_low, *limit_high;
+    const Micro *more_low, *more_high;
+};
+void cut(const Cutting& cutting, std::size_t count);
+
 constexpr std::size_t vector_padding = 16;
 
 /// From the first to before the last of so many cells that hold anything; `from` is `to` where none does.

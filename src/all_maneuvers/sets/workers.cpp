@@ -1,0 +1,103 @@
+#include "all_maneuvers/sets/workers.hpp"
+
+#ifndef __EMSCRIPTEN__
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace snug::detail::sets {
+
+struct Workers::Crew {
+    std::mutex mutex;
+    std::condition_variable begin, end;
+    const std::function<void(int, const Watching&)>* work = nullptr;
+    int parts = 0;
+    std::atomic<int> next{0};
+    unsigned jobs = 0;  ///< begun so far
+    int at_work = 0;    ///< threads other than the one that asks
+    bool over = false;
+    std::atomic<bool> given_up{false};
+    std::exception_ptr trouble;
+    std::vector<std::thread> threads;
+
+    void do_parts(const Watching& watch) {
+        try {
+            for (int part = next++; part < parts; part = next++) {
+                watch();
+                (*work)(part, watch);
+            }
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!given_up.exchange(true)) trouble = std::current_exception();
+        }
+    }
+
+    void stay() {
+        const Watching watch = [this] {
+            if (given_up) throw Stopped{};
+        };
+        std::unique_lock lock(mutex);
+        for (unsigned seen = 0;;) {
+            begin.wait(lock, [&] { return over || jobs != seen; });
+            if (over) return;
+            seen = jobs;
+            lock.unlock();
+            do_parts(watch);
+            lock.lock();
+            if (--at_work == 0) end.notify_one();
+        }
+    }
+};
+
+Workers::Workers(int threads) : crew_(std::make_unique<Crew>()) {
+    if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
+    try {
+        for (int i = 1; i < threads; ++i) crew_->threads.emplace_back([crew = crew_.get()] { crew->stay(); });
+    } catch (const std::system_error&) {
+    }
+}
+
+Workers::~Workers() {
+    {
+        const std::lock_guard lock(crew_->mutex);
+        crew_->over = true;
+    }
+    crew_->begin.notify_all();
+    for (std::thread& thread : crew_->threads) thread.join();
+}
+
+void Workers::share(int parts, const Watching& watch, const std::function<void(int, const Watching&)>& work) {
+    Crew& crew = *crew_;
+    if (const bool within_part = crew.work != nullptr; within_part || crew.threads.empty()) {
+        for (int part = 0; part < parts; ++part) {
+            watch();
+            work(part, watch);
+        }
+        return;
+    }
+    {
+        const std::lock_guard lock(crew.mutex);
+        crew.work = &work;
+        crew.parts = parts;
+        crew.next = 0;
+        crew.at_work = static_cast<int>(crew.threads.size());
+        crew.given_up = false;
+        crew.trouble = nullptr;
+        ++crew.jobs;
+    }
+    crew.begin.notify_all();
+    crew.do_parts(watch);
+    std::unique_lock lock(crew.mutex);
+    crew.end.wait(lock, [&] { return crew.at_work == 0; });
+    crew.work = nullptr;
+    if (crew.trouble) std::rethrow_exception(crew.trouble);
+}
+
+}  // namespace snug::detail::sets
+
+#endif

@@ -1,0 +1,42 @@
+// Threads that compute the parts of something large. A browser's module has none.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "all_maneuvers/sets/outer_sets.hpp"
+
+namespace snug::detail::sets {
+
+/// Of one search, on whose thread they are asked for work.
+class Workers {
+public:
+    /// With the thread that asks; 0: all cores. Fewer if the system has no more.
+    explicit Workers(int threads);
+    ~Workers();
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    /// Does every part from 0 to before `parts`, in any order and at the same time; the thread that asks does some, too, and is
+    /// the only one that watches: `work` is told how to on whatever thread it is. What is thrown ends it. Within a part
+    /// everything is done by the thread that does it.
+    void share(int parts, const Watching& watch, const std::function<void(int part, const Watching& watch)>& work);
+
+private:
+    struct Crew;
+    std::unique_ptr<Crew> crew_;
+};
+
+/// The same; one after the other if there are no workers.
+template <class Work>
+void in_parts([[maybe_unused]] Workers* workers, int parts, const Watching& watch, const Work& work) {
+#ifndef __EMSCRIPTEN__
+    if (workers && parts > 1) return workers->share(parts, watch, work);
+#endif
+    for (int part = 0; part < parts; ++part) {
+        watch();
+        work(part, watch);
+    }
+}
+
+}  // namespace snug::detail::sets
