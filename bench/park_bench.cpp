@@ -91,12 +91,11 @@ void sweep(benchmark::State& state, const Case& c, double spacing) {
     Chart chart;
     const ChartPlace place = chart_place(find_car("renault-zoe").value(), street_place(c.street), c.start, 0.0, chart);
     const OuterLattice lattice(place, spacing, spacing, nullptr, [] {});
-    Pairs begin;
-    lattice.begin_at_start(lattice.free(), Direction::forward, begin);
     Pairs pairs;
     for (auto _ : state) {
-        pairs = begin;
-        lattice.sweep(pairs, lattice.free(), Direction::forward, [] {});
+        lattice.sweep(pairs, lattice.free(), Direction::forward, [] {}, [&](Rows rows) {
+            lattice.begin_at_start(rows, pairs, lattice.free(), Direction::forward);
+        });
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(static_cast<std::int64_t>(lattice.take_updates()));

@@ -39,14 +39,21 @@ TEST(OuterSets, HoldEveryPlaceOfRandomManeuversOutOfTheSlot) {
         constexpr int deepest = 4;
         std::vector<snug::detail::sets::Pairs> forward, backward;
         for (int k = 0; k <= deepest; ++k) {
-            auto f = k == 0 ? lattice.begin(lattice.parked(), limits, Direction::forward)
-                            : lattice.turn(backward.back(), limits, limits, Direction::forward);
-            auto b = k == 0 ? lattice.begin(lattice.parked(), limits, Direction::backward)
-                            : lattice.turn(forward.back(), limits, limits, Direction::backward);
-            lattice.sweep(f, limits, Direction::forward, [] {});
-            lattice.sweep(b, limits, Direction::backward, [] {});
-            forward.push_back(std::move(f));
-            backward.push_back(std::move(b));
+            snug::detail::sets::Pairs moves[2];
+            for (const Direction direction : snug::detail::sets::both_directions) {
+                const bool is_forward = direction == Direction::forward;
+                snug::detail::sets::Pairs& pairs = moves[is_forward ? 0 : 1];
+                const auto& before = is_forward ? backward : forward;
+                lattice.sweep(pairs, limits, direction, [] {}, [&](snug::detail::sets::Rows rows) {
+                    if (k == 0) {
+                        lattice.begin(rows, pairs, limits, direction, lattice.parked());
+                    } else {
+                        lattice.turn(rows, pairs, limits, direction, before.back(), limits);
+                    }
+                });
+            }
+            forward.push_back(std::move(moves[0]));
+            backward.push_back(std::move(moves[1]));
         }
         for (int n = 0; n < maneuvers; ++n) {
             drive_out(

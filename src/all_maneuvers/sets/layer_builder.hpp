@@ -36,13 +36,13 @@ private:
     std::vector<Micro> low_, high_;
 };
 
-constexpr int rows_at_once = 128;
+constexpr int rows_at_once = 64;
+inline int blocks_of(Rows rows) { return rows.first > rows.last ? 0 : (rows.last - rows.first) / rows_at_once + 1; }
 
 /// Does something for all rows, some at a time, perhaps at the same time as others.
 template <class Do>
 void in_blocks(Workers* workers, const Watching& watch, Rows rows, const Do& act) {
-    if (rows.first > rows.last) return;
-    in_parts(workers, (rows.last - rows.first) / rows_at_once + 1, watch, [&](int block, const Watching&) {
+    in_parts(workers, blocks_of(rows), watch, [&](int block, const Watching&) {
         const int first = rows.first + block * rows_at_once;
         act(Rows{first, std::min(first + rows_at_once - 1, rows.last)});
     });

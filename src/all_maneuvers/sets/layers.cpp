@@ -33,6 +33,19 @@ Rows rows_of(const std::vector<const Limits*>& several) {
     return all;
 }
 
+namespace {
+
+/// For cells that are about to be written.
+void make_room(Layer& layer) {
+    layer.spans.store();
+    layer.low.clear();
+    layer.high.clear();
+    layer.low.resize(layer.spans.cells + vector_padding);
+    layer.high.resize(layer.spans.cells + vector_padding);
+}
+
+}  // namespace
+
 Layer hull(const std::vector<const Limits*>& several) {
     Layer all;
     const Rows rows = rows_of(several);
@@ -69,7 +82,7 @@ Layer hull(const std::vector<const Limits*>& several) {
 
 Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::size_t layers,
                     const std::function<void(Rows, LayerRows*)>& make) {
-    const int blocks = rows.first > rows.last ? 0 : (rows.last - rows.first) / rows_at_once + 1;
+    const int blocks = blocks_of(rows);
     std::vector<LayerRows> made(layers * static_cast<std::size_t>(blocks));
     const auto of = [&](int block) { return made.data() + layers * static_cast<std::size_t>(block); };
     in_blocks(workers, watch, rows, [&](Rows some) { make(some, of((some.first - rows.first) / rows_at_once)); });
@@ -88,8 +101,7 @@ Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::siz
             layer.spans.rows.insert(layer.spans.rows.end(), some.spans_.rows.begin(), some.spans_.rows.end());
         }
         layer.spans.store();
-        layer.low.resize(layer.spans.cells + vector_padding, nowhere);
-        layer.high.resize(layer.spans.cells + vector_padding, -nowhere);
+        make_room(layer);
         in_parts(workers, blocks, watch, [&](int block, const Watching&) {
             LayerRows some = std::move(of(block)[k]);
             const auto begin = static_cast<std::ptrdiff_t>(begins[static_cast<std::size_t>(block)]);
@@ -101,13 +113,6 @@ Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::siz
 }
 
 namespace {
-
-/// For cells that are about to be written.
-void make_room(Layer& layer) {
-    layer.spans.store();
-    layer.low.resize(layer.spans.cells + vector_padding);
-    layer.high.resize(layer.spans.cells + vector_padding);
-}
 
 /// Tells `write` where cells of some rows of a layer go; those at either end that hold nothing are dropped then.
 template <class Write>
@@ -128,7 +133,7 @@ void write_rows(Layer& layer, Rows rows, const Write& write) {
 
 }  // namespace
 
-void OuterLattice::clip(const Limits& coarser, Limits& clipped) const {
+void OuterLattice::room_for_clipped(const Limits& coarser, Limits& clipped) const {
     std::vector<Parents> parents;
     for (const Layer& layer : coarser) parents.push_back({&layer});
     clipped.resize(free_.size());
@@ -150,7 +155,12 @@ void OuterLattice::clip(const Limits& coarser, Limits& clipped) const {
         }
         make_room(mine);
     }
-    in_blocks(workers_, [] {}, rows_of({&clipped}), [&](Rows rows) {
+}
+
+void OuterLattice::clip(Rows rows, const Limits& coarser, Limits& clipped) const {
+    std::vector<Parents> parents;
+    for (const Layer& layer : coarser) parents.push_back({&layer});
+    {
         std::vector<Micro> least, most;
         for (std::size_t k = 0; k < free_.size(); ++k) {
             const Layer& layer = free_[k];
@@ -166,7 +176,7 @@ void OuterLattice::clip(const Limits& coarser, Limits& clipped) const {
                 }
             });
         }
-    });
+    }
 }
 
 Limits OuterLattice::within(const Pairs& pairs, const Limits& beside, const Limits& limits, Direction direction) const {
@@ -185,7 +195,7 @@ Limits OuterLattice::within(const Pairs& pairs, const Limits& beside, const Limi
         }
         make_room(all[k]);
     }
-    in_blocks(workers_, [] {}, rows_of({&all}), [&](Rows rows) {
+    in_blocks(workers_for(all), [] {}, rows_of({&all}), [&](Rows rows) {
         for (std::size_t k = 0; k < limits.size(); ++k) {
             const Layer& layer = limits[k];
             write_rows(all[k], rows, [&](int row, int first, Micro* low, Micro* high, std::size_t count) {

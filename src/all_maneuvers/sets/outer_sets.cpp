@@ -128,10 +128,14 @@ void clear(Pairs& pairs, const Limits& limits, Rows rows) {
 void make_room(Pairs& pairs, const Limits& limits) {
     pairs.layers.resize(limits.size());
     for (std::size_t k = 0; k < limits.size(); ++k) {
-        pairs.layers[k].z.resize(limits[k].low.size());
-        pairs.layers[k].w.resize(limits[k].low.size());
+        for (Micros* numbers : {&pairs.layers[k].z, &pairs.layers[k].w}) {
+            numbers->clear();
+            numbers->resize(limits[k].low.size());
+        }
     }
 }
+
+constexpr std::size_t worth_threads = 50'000;  ///< cells
 
 }  // namespace
 
@@ -147,13 +151,19 @@ void OuterLattice::offer(Pairs& pairs, const Limits& limits, Direction direction
     }
 }
 
-void OuterLattice::begin(const Limits& places, const Limits& limits, Direction direction, Pairs& pairs) const {
-    make_room(pairs, limits);
-    clear(pairs, limits, rows_of({&limits}));
+Workers* OuterLattice::workers_for(const Limits& limits) const {
+    std::size_t cells = 0;
+    for (const Layer& layer : limits) cells += layer.spans.cells;
+    return cells < worth_threads ? nullptr : workers_;
+}
+
+void OuterLattice::begin(Rows rows, Pairs& pairs, const Limits& limits, Direction direction,
+                         const Limits& places) const {
+    clear(pairs, limits, rows);
     const Numbers& of = numbers(direction);
     std::vector<Micro> z, w;
     for (const Layer& from : places) {
-        for (int row = from.spans.first; row <= from.spans.last(); ++row) {
+        for (int row = rows.first; row <= rows.last; ++row) {
             const Span given = from.spans.of(row);
             if (given.empty()) continue;
             z.assign(static_cast<std::size_t>(given.to - given.from) + 1 + vector_padding, -nowhere);
@@ -183,10 +193,10 @@ CellGrid::Place CellGrid::place_of(const Pose& pose, Direction direction) const 
     return {i + j, d, (in_a - h) * t_low - level, (in_b - h) * t_high + level};
 }
 
-void OuterLattice::begin_at_start(const Limits& limits, Direction direction, Pairs& pairs) const {
-    make_room(pairs, limits);
-    clear(pairs, limits, rows_of({&limits}));
+void OuterLattice::begin_at_start(Rows rows, Pairs& pairs, const Limits& limits, Direction direction) const {
+    clear(pairs, limits, rows);
     const CellGrid::Place at = grid().place_of(start_, direction);
+    if (at.row < rows.first || at.row > rows.last) return;
     const int cell = cell_of(at.column);
     std::vector<Micro> z(1 + vector_padding, -nowhere), w(1 + vector_padding, nowhere);
     z[0] = rounded_up(start_.y - at.up + 1e-9);
@@ -207,38 +217,37 @@ bool OuterLattice::holds(const Pairs& pairs, const Limits& limits, Direction dir
     return false;
 }
 
-void OuterLattice::turn(const Pairs& before, const Limits& limits_before, const Limits& limits, Direction direction,
-                        Pairs& pairs) const {
-    make_room(pairs, limits);
+void OuterLattice::turn(Rows rows, Pairs& pairs, const Limits& limits, Direction direction, const Pairs& before,
+                        const Limits& limits_before) const {
+    clear(pairs, limits, rows);
     const Numbers& of = numbers(direction);
-    in_blocks(workers_, [] {}, rows_of({&limits}), [&](Rows rows) {
-        clear(pairs, limits, rows);
-        std::vector<Micro> z, w;
-        for (std::size_t m = 0; m < limits_before.size(); ++m) {
-            for (int row = rows.first; row <= rows.last; ++row) {
-                const Span given = limits_before[m].spans.of(row);
-                if (given.empty()) continue;
-                const auto count = static_cast<std::size_t>(given.to - given.from) + 1;
-                z.resize(count + vector_padding);
-                w.resize(count + vector_padding);
-                const Micro *old_z = before.layers[m].z.data() + given.begin,
-                            *old_w = before.layers[m].w.data() + given.begin;
-                const Micro *more_z = of.turn_z.at(row, given.from), *more_w = of.turn_w.at(row, given.from);
-                for (std::size_t i = 0; i < count; ++i) {
-                    z[i] = (old_z[i] + more_z[i] + (coarse_grid - 1)) & ~(coarse_grid - 1);
-                    w[i] = (old_w[i] + more_w[i]) & ~(coarse_grid - 1);
-                }
-                offer(pairs, limits, direction, row, given, z.data(), w.data());
+    std::vector<Micro> z, w;
+    for (std::size_t m = 0; m < limits_before.size(); ++m) {
+        for (int row = rows.first; row <= rows.last; ++row) {
+            const Span given = limits_before[m].spans.of(row);
+            if (given.empty()) continue;
+            const auto count = static_cast<std::size_t>(given.to - given.from) + 1;
+            z.resize(count + vector_padding);
+            w.resize(count + vector_padding);
+            const Micro *old_z = before.layers[m].z.data() + given.begin,
+                        *old_w = before.layers[m].w.data() + given.begin;
+            const Micro *more_z = of.turn_z.at(row, given.from), *more_w = of.turn_w.at(row, given.from);
+            for (std::size_t i = 0; i < count; ++i) {
+                z[i] = (old_z[i] + more_z[i] + (coarse_grid - 1)) & ~(coarse_grid - 1);
+                w[i] = (old_w[i] + more_w[i]) & ~(coarse_grid - 1);
             }
+            offer(pairs, limits, direction, row, given, z.data(), w.data());
         }
-    });
+    }
 }
 
-void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch) const {
+void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch,
+                         const std::function<void(Rows)>& begin) const {
+    make_room(pairs, limits);
     const Numbers& of = numbers(direction);
     const bool forward = direction == Direction::forward;
     std::size_t updates = 0;
-    const auto [first_row, last_row] = rows_of({&limits});
+    const Rows all = rows_of({&limits});
     // The row before, at full width, with nothing around what was reached in it.
     const int first_cell = cell_of(first_column_) - 1;
     const auto width = static_cast<std::size_t>(cell_of(last_column_) + 2 - first_cell) + vector_padding;
@@ -251,9 +260,7 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
         row.z.assign(width, -nowhere);
         row.w.assign(width, nowhere);
     }
-    for (int n = 0; n <= last_row - first_row; ++n) {
-        const int row = forward ? first_row + n : last_row - n;
-        if (n % 64 == 0) watch();
+    const auto sweep_row = [&](int row) {
         for (std::size_t k = 0; k < limits.size(); ++k) {
             const Span mine = limits[k].spans.of(row);
             if (mine.empty()) continue;
@@ -295,7 +302,21 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
             std::copy_n(now.z.begin() + from, count, mine.z.begin() + (mine.live.from - first_cell));
             std::copy_n(now.w.begin() + from, count, mine.w.begin() + (mine.live.from - first_cell));
         }
-    }
+    };
+    const auto rows_in = [&](int step) {
+        const int first = step * rows_at_once, last = std::min(first + rows_at_once - 1, all.last - all.first);
+        return forward ? Rows{all.first + first, all.first + last} : Rows{all.last - last, all.last - first};
+    };
+    in_order(
+        workers_for(limits), blocks_of(all), watch, [&](int step) { begin(rows_in(step)); },
+        [&](int step) {
+            const Rows rows = rows_in(step);
+            if (forward) {
+                for (int row = rows.first; row <= rows.last; ++row) sweep_row(row);
+            } else {
+                for (int row = rows.last; row >= rows.first; --row) sweep_row(row);
+            }
+        });
     updates_[forward ? 0 : 1] += updates;
 }
 
@@ -303,24 +324,28 @@ BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forwar
                            const Watching& watch) {
     const Limits& limits = lattice.free();
     BothWays<Pairs> next;
-    in_parts(lattice.workers(), 2, watch, [&](int part, const Watching& watched) {
+    in_parts(lattice.workers_for(limits), 2, watch, [&](int part, const Watching& watched) {
         const Direction direction = both_directions[part];
         const Pairs* before = direction == Direction::forward ? last_backward : last_forward;
         Pairs pairs;
-        if (before) {
-            lattice.turn(*before, limits, limits, direction, pairs);
-        } else {
-            lattice.begin(lattice.parked(), limits, direction, pairs);
-        }
-        lattice.sweep(pairs, limits, direction, watched);
+        lattice.sweep(pairs, limits, direction, watched, [&](Rows rows) {
+            if (before) {
+                lattice.turn(rows, pairs, limits, direction, *before, limits);
+            } else {
+                lattice.begin(rows, pairs, limits, direction, lattice.parked());
+            }
+        });
         next.of(direction).push_back(std::move(pairs));
     });
     return next;
 }
 
 bool same(const Pairs& one, const Pairs& two) {
+    const auto differ = [](const Micros& a, const Micros& b) {
+        return !std::equal(a.begin(), a.end() - vector_padding, b.begin());
+    };
     for (std::size_t k = 0; k < one.layers.size(); ++k)
-        if (one.layers[k].z != two.layers[k].z || one.layers[k].w != two.layers[k].w) return false;
+        if (differ(one.layers[k].z, two.layers[k].z) || differ(one.layers[k].w, two.layers[k].w)) return false;
     return true;
 }
 

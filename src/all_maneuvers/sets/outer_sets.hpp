@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -85,10 +87,28 @@ struct Spans {
 inline int cell_of(int d) { return d >> 1; }
 inline int column_of(int row, int cell) { return 2 * cell + (row & 1); }
 
+/// Leaves numbers as they are until they are written.
+template <class T>
+struct Unset : std::allocator<T> {
+    template <class U>
+    struct rebind {
+        using other = Unset<U>;
+    };
+    template <class U>
+    void construct(U* at) {
+        ::new (static_cast<void*>(at)) U;
+    }
+    template <class U, class... Args>
+    void construct(U* at, Args&&... args) {
+        ::new (static_cast<void*>(at)) U(std::forward<Args>(args)...);
+    }
+};
+using Micros = std::vector<Micro, Unset<Micro>>;
+
 /// Intervals of y, at most one in a cell; low > high where there is none.
 struct Layer {
     Spans spans;
-    std::vector<Micro> low, high;
+    Micros low, high;
 };
 /// Several in a cell, in any order.
 using Limits = std::vector<Layer>;
@@ -103,7 +123,7 @@ Rows rows_of(const std::vector<const Limits*>& several);
 /// The pairs of one move, layer by layer beside the limits they were made in.
 struct Pairs {
     struct Of {
-        std::vector<Micro> z, w;
+        Micros z, w;
     };
     std::vector<Of> layers;
 };
@@ -163,14 +183,16 @@ public:
     [[nodiscard]] const Limits& free() const { return free_; }
     [[nodiscard]] const Limits& parked() const { return parked_; }
 
-    /// The beginning of a move of pairs beside limits; what the pairs held is lost, but their memory is used again. Of places in
-    /// intervals of y, of the start, and of a move of the other direction, rounded outward to a coarser grid.
-    void begin(const Limits& places, const Limits& limits, Direction direction, Pairs& pairs) const;
-    void begin_at_start(const Limits& limits, Direction direction, Pairs& pairs) const;
-    void turn(const Pairs& before, const Limits& limits_before, const Limits& limits, Direction direction,
-              Pairs& pairs) const;
-    /// Everything the move reaches from where it begins.
-    void sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch) const;
+    /// Everything a move reaches, beside limits. What it begins with is put there by `begin`, some rows at a time, perhaps on other
+    /// threads; the limits of these rows are not looked at before. What the pairs held is lost, their memory is used again.
+    void sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch,
+               const std::function<void(Rows rows)>& begin) const;
+    /// Begins with places in intervals of y.
+    void begin(Rows rows, Pairs& pairs, const Limits& limits, Direction direction, const Limits& places) const;
+    void begin_at_start(Rows rows, Pairs& pairs, const Limits& limits, Direction direction) const;
+    /// Begins with what a move of the other direction has reached, rounded outward to a coarser grid.
+    void turn(Rows rows, Pairs& pairs, const Limits& limits, Direction direction, const Pairs& before,
+              const Limits& limits_before) const;
 
     [[nodiscard]] bool holds(const Pairs& pairs, const Limits& limits, Direction direction, const Pose& pose) const;
     [[nodiscard]] bool holds_start(const Pairs& pairs, const Limits& limits, Direction direction) const {
@@ -179,8 +201,9 @@ public:
     /// Limits, a part of those that pairs lie beside, cut down to what the pairs hold.
     [[nodiscard]] Limits within(const Pairs& pairs, const Limits& beside, const Limits& limits,
                                 Direction direction) const;
-    /// The free intervals, clipped to what is left of the lattice twice as coarse.
-    void clip(const Limits& coarser, Limits& clipped) const;
+    /// The free intervals, clipped to what is left of the lattice twice as coarse: room for them, and some rows.
+    void room_for_clipped(const Limits& coarser, Limits& clipped) const;
+    void clip(Rows rows, const Limits& coarser, Limits& clipped) const;
 
     [[nodiscard]] CellGrid grid() const { return {h_, radius_, x0_, sine0_, sine_step_}; }
 
@@ -188,7 +211,8 @@ public:
     [[nodiscard]] std::size_t take_updates() const {
         return std::exchange(updates_[0], 0) + std::exchange(updates_[1], 0);
     }
-    [[nodiscard]] Workers* workers() const { return workers_; }
+    /// For so much; null if it is too little for them, or there are none.
+    [[nodiscard]] Workers* workers_for(const Limits& limits) const;
 
 private:
     struct Numbers {

@@ -98,34 +98,26 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
         now.of(direction).resize(1);
         before.of(direction).resize(1);
     }
-    // Moves that begin with one direction have nothing to do with those that begin with the other.
-    const auto drive = [&](std::size_t k, const auto& begin, const auto& which) {
-        const bool one_is_empty = holds_nothing(limits.forward[k]) || holds_nothing(limits.backward[k]);
-        in_parts(one_is_empty ? nullptr : question.workers, 2, watch, [&](int part, const Watching& watched) {
-            const Direction direction = both_directions[part];
-            Move& move = now.of(direction).front();
-            Limits& mine = limits.of(which(direction))[k];
-            begin(direction, mine, move, before.of(other(direction)).front());
-            lattice.sweep(move.pairs, move.limits, direction, watched);
-            mine = lattice.within(move.pairs, move.limits, move.limits, direction);
-        });
-        std::swap(now, before);
-    };
     // Outward from the parked poses.
     std::size_t bytes = bytes_of(lattice.free());
     bool all_kept = true;
     for (std::size_t k = 0; k < moves; ++k) {
-        drive(
-            k,
-            [&](Direction direction, const Limits& mine, Move& move, const Move& last) {
-                lattice.clip(mine, move.limits);
+        for (const Direction direction : both_directions) {
+            const Move& last = before.of(other(direction)).front();
+            Limits& mine = limits.of(direction)[k];
+            Move& move = now.of(direction).front();
+            lattice.room_for_clipped(mine, move.limits);
+            lattice.sweep(move.pairs, move.limits, direction, watch, [&](Rows rows) {
+                lattice.clip(rows, mine, move.limits);
                 if (k == 0) {
-                    lattice.begin(lattice.parked(), move.limits, direction, move.pairs);
+                    lattice.begin(rows, move.pairs, move.limits, direction, lattice.parked());
                 } else {
-                    lattice.turn(last.pairs, last.limits, move.limits, direction, move.pairs);
+                    lattice.turn(rows, move.pairs, move.limits, direction, last.pairs, last.limits);
                 }
-            },
-            [](Direction direction) { return direction; });
+            });
+            mine = lattice.within(move.pairs, move.limits, move.limits, direction);
+        }
+        std::swap(now, before);
         for (const Direction direction : both_directions) {
             const std::size_t of_move = bytes_of(limits.of(direction)[k]);
             bytes += of_move;
@@ -144,17 +136,21 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
     if (!all_kept) throw TooLarge{};
     // Then from the start. Driving forward when leaving is driving backward when parking, and move k is the last but k.
     for (std::size_t k = moves; k-- > 0;) {
-        drive(
-            k,
-            [&](Direction direction, Limits& mine, Move& move, const Move& last) {
-                move.limits = std::move(mine);
+        for (const Direction direction : both_directions) {
+            const Move& last = before.of(other(direction)).front();
+            Limits& mine = limits.of(other(direction))[k];
+            Move& move = now.of(direction).front();
+            move.limits = std::move(mine);
+            lattice.sweep(move.pairs, move.limits, direction, watch, [&](Rows rows) {
                 if (k + 1 == moves) {
-                    lattice.begin_at_start(move.limits, direction, move.pairs);
+                    lattice.begin_at_start(rows, move.pairs, move.limits, direction);
                 } else {
-                    lattice.turn(last.pairs, last.limits, move.limits, direction, move.pairs);
+                    lattice.turn(rows, move.pairs, move.limits, direction, last.pairs, last.limits);
                 }
-            },
-            other);
+            });
+            mine = lattice.within(move.pairs, move.limits, move.limits, direction);
+        }
+        std::swap(now, before);
     }
     bounds.updates += lattice.take_updates();
     left.h = h;
@@ -515,12 +511,13 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
                 const std::size_t i = last - k;
                 if (i == moves.size()) {
                     Pairs pairs;
-                    if (i == 0) {
-                        lattice.begin_at_start(lattice.free(), other(direction), pairs);
-                    } else {
-                        lattice.turn(moves.back(), lattice.free(), lattice.free(), other(direction), pairs);
-                    }
-                    lattice.sweep(pairs, lattice.free(), other(direction), watch);
+                    lattice.sweep(pairs, lattice.free(), other(direction), watch, [&](Rows rows) {
+                        if (i == 0) {
+                            lattice.begin_at_start(rows, pairs, lattice.free(), other(direction));
+                        } else {
+                            lattice.turn(rows, pairs, lattice.free(), other(direction), moves.back(), lattice.free());
+                        }
+                    });
                     moves.push_back(std::move(pairs));
                 }
                 const Limits reached =

@@ -98,6 +98,43 @@ void Workers::share(int parts, const Watching& watch, const std::function<void(i
     if (crew.trouble) std::rethrow_exception(crew.trouble);
 }
 
+void Workers::share_in_order(int steps, const Watching& watch, const std::function<void(int)>& prepare,
+                             const std::function<void(int)>& take) {
+    std::vector<std::atomic<bool>> prepared(static_cast<std::size_t>(steps));
+    std::atomic<int> next{0};
+    std::atomic<bool> failed{false};
+    const auto is_prepared = [&](int step) -> std::atomic<bool>& { return prepared[static_cast<std::size_t>(step)]; };
+    const auto prepare_next = [&] {
+        const int step = next++;
+        if (step >= steps) return false;
+        try {
+            prepare(step);
+        } catch (...) {
+            failed = true;
+            is_prepared(step) = true;
+            is_prepared(step).notify_all();
+            throw;
+        }
+        is_prepared(step) = true;
+        is_prepared(step).notify_all();
+        return true;
+    };
+    // One thread takes, and helps where nothing is to be taken yet; the others prepare.
+    share(static_cast<int>(crew_->threads.size()) + 1, watch, [&](int part, const Watching& watched) {
+        if (part > 0) {
+            while (prepare_next()) watched();
+            return;
+        }
+        for (int step = 0; step < steps; ++step) {
+            watched();
+            while (!is_prepared(step))
+                if (!prepare_next()) is_prepared(step).wait(false);
+            if (failed) throw Stopped{};
+            take(step);
+        }
+    });
+}
+
 }  // namespace snug::detail::sets
 
 #endif

@@ -22,6 +22,10 @@ public:
     /// everything is done by the thread that does it.
     void share(int parts, const Watching& watch, const std::function<void(int part, const Watching& watch)>& work);
 
+    /// Prepares steps 0 to before `steps` in any order and at the same time, and takes each in order once it is prepared.
+    void share_in_order(int steps, const Watching& watch, const std::function<void(int step)>& prepare,
+                        const std::function<void(int step)>& take);
+
 private:
     struct Crew;
     std::unique_ptr<Crew> crew_;
@@ -36,6 +40,19 @@ void in_parts([[maybe_unused]] Workers* workers, int parts, const Watching& watc
     for (int part = 0; part < parts; ++part) {
         watch();
         work(part, watch);
+    }
+}
+
+template <class Prepare, class Take>
+void in_order([[maybe_unused]] Workers* workers, int steps, const Watching& watch, const Prepare& prepare,
+              const Take& take) {
+#ifndef __EMSCRIPTEN__
+    if (workers && steps > 1) return workers->share_in_order(steps, watch, prepare, take);
+#endif
+    for (int step = 0; step < steps; ++step) {
+        watch();
+        prepare(step);
+        take(step);
     }
 }
 
