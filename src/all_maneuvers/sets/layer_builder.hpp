@@ -36,6 +36,7 @@ private:
     std::vector<Micro> low_, high_;
 };
 
+constexpr std::size_t worth_threads = 50'000;  ///< cells
 constexpr int rows_at_once = 64;
 inline int blocks_of(Rows rows) { return rows.first > rows.last ? 0 : (rows.last - rows.first) / rows_at_once + 1; }
 

@@ -102,7 +102,7 @@ Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::siz
         }
         layer.spans.store();
         make_room(layer);
-        in_parts(workers, blocks, watch, [&](int block, const Watching&) {
+        in_parts(layer.spans.cells < worth_threads ? nullptr : workers, blocks, watch, [&](int block, const Watching&) {
             LayerRows some = std::move(of(block)[k]);
             const auto begin = static_cast<std::ptrdiff_t>(begins[static_cast<std::size_t>(block)]);
             std::copy(some.low_.begin(), some.low_.end(), layer.low.begin() + begin);
@@ -114,13 +114,16 @@ Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::siz
 
 namespace {
 
+template <class Act>
+void each_row(Spans& spans, Rows rows, const Act& act) {
+    for (int row = std::max(rows.first, spans.first); row <= std::min(rows.last, spans.last()); ++row)
+        if (Span& span = spans.rows[static_cast<std::size_t>(row - spans.first)]; !span.empty()) act(row, span);
+}
+
 /// Tells `write` where cells of some rows of a layer go; those at either end that hold nothing are dropped then.
 template <class Write>
 void write_rows(Layer& layer, Rows rows, const Write& write) {
-    Spans& spans = layer.spans;
-    for (int row = std::max(rows.first, spans.first); row <= std::min(rows.last, spans.last()); ++row) {
-        Span& span = spans.rows[static_cast<std::size_t>(row - spans.first)];
-        if (span.empty()) continue;
+    each_row(layer.spans, rows, [&](int row, Span& span) {
         const auto count = static_cast<std::size_t>(span.to - span.from) + 1;
         Micro *low = layer.low.data() + span.begin, *high = layer.high.data() + span.begin;
         std::fill_n(low, count, nowhere);
@@ -128,7 +131,7 @@ void write_rows(Layer& layer, Rows rows, const Write& write) {
         write(row, span.from, low, high, count);
         while (!span.empty() && *low > *high) ++span.from, ++span.begin, ++low, ++high;
         while (!span.empty() && layer.low[span.at(span.to)] > layer.high[span.at(span.to)]) --span.to;
-    }
+    });
 }
 
 }  // namespace
@@ -183,19 +186,21 @@ Limits OuterLattice::within(const Pairs& pairs, const Limits& beside, const Limi
     const Numbers& of = numbers(direction);
     const auto pairs_at = [&](std::size_t k, int row, int cell) { return beside[k].spans.of(row).at(cell); };
     Limits all(limits.size());
-    for (std::size_t k = 0; k < limits.size(); ++k) {
-        const Spans& spans = limits[k].spans;
-        all[k].spans = spans;
-        for (int row = spans.first; row <= spans.last(); ++row) {
-            Span& span = all[k].spans.rows[static_cast<std::size_t>(row - spans.first)];
-            if (span.empty()) continue;
-            const Stretch part = reached(pairs.layers[k].z.data() + pairs_at(k, row, span.from),
-                                         static_cast<std::size_t>(span.to - span.from) + 1);
-            span = part.from == part.to ? Span{} : Span{span.from + static_cast<int>(part.from), span.from + static_cast<int>(part.to) - 1, 0};
+    for (std::size_t k = 0; k < limits.size(); ++k) all[k].spans = limits[k].spans;
+    Workers* const workers = workers_for(limits);
+    in_blocks(workers, [] {}, rows_of({&limits}), [&](Rows rows) {
+        for (std::size_t k = 0; k < limits.size(); ++k) {
+            each_row(all[k].spans, rows, [&](int row, Span& span) {
+                const Stretch part = reached(pairs.layers[k].z.data() + pairs_at(k, row, span.from),
+                                             static_cast<std::size_t>(span.to - span.from) + 1);
+                span = part.from == part.to ? Span{}
+                                            : Span{span.from + static_cast<int>(part.from),
+                                                   span.from + static_cast<int>(part.to) - 1, 0};
+            });
         }
-        make_room(all[k]);
-    }
-    in_blocks(workers_for(all), [] {}, rows_of({&all}), [&](Rows rows) {
+    });
+    for (Layer& layer : all) make_room(layer);
+    in_blocks(workers, [] {}, rows_of({&limits}), [&](Rows rows) {
         for (std::size_t k = 0; k < limits.size(); ++k) {
             const Layer& layer = limits[k];
             write_rows(all[k], rows, [&](int row, int first, Micro* low, Micro* high, std::size_t count) {

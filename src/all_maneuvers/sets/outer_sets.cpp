@@ -135,8 +135,6 @@ void make_room(Pairs& pairs, const Limits& limits) {
     }
 }
 
-constexpr std::size_t worth_threads = 50'000;  ///< cells
-
 }  // namespace
 
 void OuterLattice::offer(Pairs& pairs, const Limits& limits, Direction direction, int row, const Span& given,

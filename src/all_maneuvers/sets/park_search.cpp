@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "all_maneuvers/sets/few_pieces.hpp"
@@ -71,6 +72,13 @@ struct Left {
     BothWays<Limits> moves;
     Layer hull_of_all;
 };
+
+std::size_t bytes_of(const Left& left) {
+    std::size_t bytes = bytes_of(left.hull_of_all);
+    for (const Direction direction : both_directions)
+        for (const Limits& limits : left.moves.of(direction)) bytes += bytes_of(limits);
+    return bytes;
+}
 
 Layer hull_of(const BothWays<Limits>& moves) {
     std::vector<const Limits*> several;
@@ -178,18 +186,31 @@ ChartPlace near_both(const ChartPlace& place, const Pose& one, const Pose& other
 /// Looks for ways with as many changes as the moves that are left allow.
 class WaySearch {
 public:
-    WaySearch(const ChartPlace& place, double h0, const Left& left, const Watching& watch, std::size_t& updates)
-        : place_(place), h0_(h0), left_(left), watch_(watch), updates_(updates) {}
+    WaySearch(const ChartPlace& place, double h0, const Left& left, Workers* workers, const Watching& watch,
+              std::size_t& updates)
+        : place_(place), h0_(h0), left_(left), workers_(workers), watch_(watch), updates_(updates) {}
 
     /// Any that can be driven; empty if none is found.
     std::vector<Path> any() {
+        // What is met between nodes shrinks for a car that is a little larger.
+        const std::vector<double> larger = {0.0, left_.h / 32.0, left_.h / 8.0, left_.h / 4.0, left_.h / 2.0};
+        const auto at_once = static_cast<std::size_t>(count_of(workers_));
         for (const Direction last : both_directions) {
-            // What is met between nodes shrinks for a car that is a little larger.
-            for (const double by : {0.0, left_.h / 32.0, left_.h / 8.0, left_.h / 4.0, left_.h / 2.0}) {
-                const std::optional<Found> found = find(by, last);
-                if (!found) break;
-                std::vector<Path> way = drivable(*found);
-                if (!way.empty()) return way;
+            if (holds_nothing(left_.moves.of(last).back())) continue;
+            bool gets_through = true;
+            for (std::size_t first = 0; first < larger.size() && gets_through; first += at_once) {
+                std::vector<std::optional<Found>> found(std::min(at_once, larger.size() - first));
+                in_parts(workers_, static_cast<int>(found.size()), watch_, [&](int i, const Watching& watched) {
+                    const auto at = static_cast<std::size_t>(i);
+                    found[at] = looked_for(larger[first + at], last, watched);
+                });
+                for (std::size_t i = 0; i < found.size() && gets_through; ++i) {
+                    updates_ += found[i]->lattice.updates;
+                    gets_through = found[i]->gets_through;
+                    if (!gets_through) break;
+                    std::vector<Path> way = drivable(*found[i]);
+                    if (!way.empty()) return way;
+                }
             }
         }
         return {};
@@ -249,6 +270,7 @@ private:
         double grown = 0.0;
         InnerLattice lattice;
         InnerChain chain;
+        bool gets_through = false;
     };
 
     std::optional<Found> find_either(double grown) {
@@ -259,8 +281,15 @@ private:
 
     std::optional<Found> find(double grown, Direction last) {
         if (holds_nothing(left_.moves.of(last).back())) return std::nullopt;
+        std::optional<Found> found = looked_for(grown, last, watch_);
+        updates_ += found->lattice.updates;
+        if (!found->gets_through) found.reset();
+        return found;
+    }
+
+    Found looked_for(double grown, Direction last, const Watching& watch) const {
         const ChartPlace place = with_grown_car(place_, grown);
-        Found found{grown, InnerLattice(place, left_.h, h0_, left_.hull_of_all, watch_), {}};
+        Found found{grown, InnerLattice(place, left_.h, h0_, left_.hull_of_all, watch), {}, false};
         const std::size_t moves = left_.moves.forward.size();
         found.chain.last = last;
         found.chain.parked = found.lattice.parked();
@@ -268,10 +297,9 @@ private:
         for (std::size_t k = 0; k < moves; ++k) {
             const Direction direction = found.chain.direction(k);
             found.chain.reaches[k] =
-                found.lattice.sweep(found.chain.begins(k), left_.moves.of(direction)[k], direction, watch_);
+                found.lattice.sweep(found.chain.begins(k), left_.moves.of(direction)[k], direction, watch);
         }
-        updates_ += found.lattice.updates;
-        if (!found.lattice.holds_start(found.chain.reaches.back())) return std::nullopt;
+        found.gets_through = found.lattice.holds_start(found.chain.reaches.back());
         return found;
     }
 
@@ -306,6 +334,7 @@ private:
     ChartPlace place_;
     double h0_;
     const Left& left_;
+    Workers* workers_;
     const Watching& watch_;
     std::size_t& updates_;
 };
@@ -397,7 +426,7 @@ std::vector<ChartPlace> better_parked(const ChartPlace& place, double h) {
 std::vector<Path> way_to_drive(const ParkQuestion& question, const Left& left, const Watching& watch,
                                std::size_t& updates) {
     for (const ChartPlace& place : better_parked(question.place, left.h)) {
-        std::vector<Path> way = WaySearch(place, question.coarsest, left, watch, updates).roomiest();
+        std::vector<Path> way = WaySearch(place, question.coarsest, left, question.workers, watch, updates).roomiest();
         if (!way.empty() && is_drivable(question.place, way)) return way;
     }
     return {};
@@ -529,7 +558,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         return left;
     };
     const auto try_way = [&](const Left& left) {
-        std::vector<Path> way = WaySearch(question.place, h0, left, watch, bounds.updates).any();
+        std::vector<Path> way = WaySearch(question.place, h0, left, question.workers, watch, bounds.updates).any();
         if (way.empty()) return false;
         const int changes = changes_of(way);
         if (!bounds.upper || changes < *bounds.upper || found_elsewhere) {
@@ -541,10 +570,19 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
     };
 
     double found_at = h0;  ///< spacing of the lattice that has the way
+    std::map<int, Left> kept;  ///< by changes
     const auto left_for = [&](int changes, double h) {
-        std::optional<Left> left = left_with(changes);
+        std::optional<Left> left;
+        if (const auto of = kept.extract(changes); of && of.mapped().h > 0.999 * h) left = std::move(of.mapped());
+        if (!left) left = left_with(changes);
         while (left && left->h > 1.001 * h) left = refined(question, std::move(*left), bounds, watch);
         return left;
+    };
+    /// So that it need not be computed from the coarsest lattice on again.
+    const auto keep = [&](int changes, Left left) {
+        std::size_t bytes = bytes_of(left);
+        for (const auto& [of, other] : kept) bytes += bytes_of(other);
+        if (bytes <= most_bytes / 4) kept.emplace(changes, std::move(left));
     };
     const auto driven_at = [&](int changes, double h) {
         try {
@@ -598,11 +636,12 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
             }
             if (!left) break;
             bounds.spacing = h;
-            if (try_way(*left)) {
+            const bool is_found = try_way(*left);
+            keep(bounds.lower, std::move(*left));
+            if (is_found) {
                 found_at = h;
                 break;
             }
-            left.reset();
             if (!bounds.upper && h == h0) ask_map();
             // None found with as few as the lower bound: how many may it take?
             int changes = bounds.lower + 1;
@@ -616,8 +655,11 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
             const int most = std::min(
                 {question.max_changes, changes + tried_above, bounds.upper.value_or(question.max_changes + 1) - 1});
             for (; changes <= most; ++changes) {
-                const std::optional<Left> more = left_for(changes, h);
-                if (!more || !try_way(*more)) continue;
+                std::optional<Left> more = left_for(changes, h);
+                if (!more) continue;
+                const bool one_is_found = try_way(*more);
+                keep(changes, std::move(*more));
+                if (!one_is_found) continue;
                 found_at = h;
                 break;
             }

@@ -12,24 +12,27 @@
 
 namespace snug::detail::sets {
 
+using Work = std::function<void(int, const Watching&)>;
+
 struct Workers::Crew {
     std::mutex mutex;
     std::condition_variable begin, end;
-    const std::function<void(int, const Watching&)>* work = nullptr;
+    const Work* work = nullptr;  ///< that is open to whoever has time
+    unsigned jobs = 0;           ///< begun so far
+    int at_work = 0;             ///< threads other than the one that asks
+    bool over = false;
+    bool shared = false;  ///< until all parts are done
     int parts = 0;
     std::atomic<int> next{0};
-    unsigned jobs = 0;  ///< begun so far
-    int at_work = 0;    ///< threads other than the one that asks
-    bool over = false;
     std::atomic<bool> given_up{false};
     std::exception_ptr trouble;
     std::vector<std::thread> threads;
 
-    void do_parts(const Watching& watch) {
+    void do_parts(const Work& what, const Watching& watch) {
         try {
             for (int part = next++; part < parts; part = next++) {
                 watch();
-                (*work)(part, watch);
+                what(part, watch);
             }
         } catch (...) {
             const std::lock_guard lock(mutex);
@@ -43,11 +46,13 @@ struct Workers::Crew {
         };
         std::unique_lock lock(mutex);
         for (unsigned seen = 0;;) {
-            begin.wait(lock, [&] { return over || jobs != seen; });
+            begin.wait(lock, [&] { return over || (work && jobs != seen); });
             if (over) return;
             seen = jobs;
+            const Work& what = *work;
+            ++at_work;
             lock.unlock();
-            do_parts(watch);
+            do_parts(what, watch);
             lock.lock();
             if (--at_work == 0) end.notify_one();
         }
@@ -71,9 +76,11 @@ Workers::~Workers() {
     for (std::thread& thread : crew_->threads) thread.join();
 }
 
-void Workers::share(int parts, const Watching& watch, const std::function<void(int, const Watching&)>& work) {
+int Workers::count() const { return static_cast<int>(crew_->threads.size()) + 1; }
+
+void Workers::share(int parts, const Watching& watch, const Work& work) {
     Crew& crew = *crew_;
-    if (const bool within_part = crew.work != nullptr; within_part || crew.threads.empty()) {
+    if (crew.shared || crew.threads.empty()) {
         for (int part = 0; part < parts; ++part) {
             watch();
             work(part, watch);
@@ -82,19 +89,20 @@ void Workers::share(int parts, const Watching& watch, const std::function<void(i
     }
     {
         const std::lock_guard lock(crew.mutex);
+        crew.shared = true;
         crew.work = &work;
         crew.parts = parts;
         crew.next = 0;
-        crew.at_work = static_cast<int>(crew.threads.size());
         crew.given_up = false;
         crew.trouble = nullptr;
         ++crew.jobs;
     }
     crew.begin.notify_all();
-    crew.do_parts(watch);
+    crew.do_parts(work, watch);
     std::unique_lock lock(crew.mutex);
+    crew.work = nullptr;  // who has not begun comes too late
     crew.end.wait(lock, [&] { return crew.at_work == 0; });
-    crew.work = nullptr;
+    crew.shared = false;
     if (crew.trouble) std::rethrow_exception(crew.trouble);
 }
 
@@ -120,7 +128,7 @@ void Workers::share_in_order(int steps, const Watching& watch, const std::functi
         return true;
     };
     // One thread takes, and helps where nothing is to be taken yet; the others prepare.
-    share(static_cast<int>(crew_->threads.size()) + 1, watch, [&](int part, const Watching& watched) {
+    share(count(), watch, [&](int part, const Watching& watched) {
         if (part > 0) {
             while (prepare_next()) watched();
             return;

@@ -14,6 +14,7 @@ public:
     /// With the thread that asks; 0: all cores. Fewer if the system has no more.
     explicit Workers(int threads);
     ~Workers();
+    [[nodiscard]] int count() const;
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
@@ -43,6 +44,12 @@ void in_parts([[maybe_unused]] Workers* workers, int parts, const Watching& watc
     }
 }
 
+inline int count_of([[maybe_unused]] const Workers* workers) {
+#ifndef __EMSCRIPTEN__
+    if (workers) return workers->count();
+#endif
+    return 1;
+}
 template <class Prepare, class Take>
 void in_order([[maybe_unused]] Workers* workers, int steps, const Watching& watch, const Prepare& prepare,
               const Take& take) {
