@@ -12,6 +12,11 @@ namespace {
 
 constexpr std::size_t most_intervals = 4;  ///< at a node; more are of no use
 
+Span covering(const Span& one, const Span& other) {
+    if (one.empty() || other.empty()) return one.empty() ? other : one;
+    return {std::min(one.from, other.from), std::max(one.to, other.to), 0};
+}
+
 }  // namespace
 
 void tidy(std::vector<Interval>& intervals, std::size_t most) {
@@ -136,43 +141,27 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
     InnerSet set;
     const auto [first_row, last_row] = rows_of({&limits});
     set.spans.first = first_row - 2 * offset_;
-    for (int row = first_row; row <= last_row; ++row) {
-        Span mine;
-        for (const Layer& layer : limits) {
-            const Span span = layer.spans.of(row);
-            if (span.empty()) continue;
-            mine.from = mine.empty() ? span.from : std::min(mine.from, span.from);
-            mine.to = std::max(mine.to, span.to);
-        }
-        const Span free = free_.spans.of(row - 2 * offset_);
-        mine.from = std::max(mine.from, free.from);
-        mine.to = std::min(mine.to, free.to);
-        set.spans.rows.push_back(mine);
-    }
-    set.spans.store();
-    set.of.resize(set.spans.cells);
+    set.spans.rows.resize(static_cast<std::size_t>(std::max(0, last_row - first_row + 1)));
     const bool forward = direction == Direction::forward;
     const int step = forward ? 1 : -1;
     std::vector<Interval> found, rooms, clipped;
-    std::vector<Span> reached(set.spans.rows.size());
-    Span live, live_before, live_before_that;  // what was reached in this row and in those before
     for (int n = 0; n <= last_row - first_row; ++n) {
         const int row = forward ? set.spans.first + n : set.spans.last() - n;
         if (n % 64 == 0) watch();
-        const Span span = set.spans.of(row), begin_span = starts.spans.of(row), free_span = free_.spans.of(row);
+        const Span begin_span = starts.spans.of(row), free_span = free_.spans.of(row);
         const Span before = set.spans.of(row - step), before_that = set.spans.of(row - 2 * step);
         const Span free_before = free_.spans.of(row - step);
-        live_before_that = live_before;
-        live_before = live;
-        live = {};
-        // Cells that anything leads to.
-        Span led = begin_span;
-        const auto cover = [&](const Span& other) {
-            led = led.empty() ? other : Span{std::min(led.from, other.from), std::max(led.to, other.to), 0};
-        };
-        if (!live_before.empty()) cover({live_before.from - 1, live_before.to + 1, 0});
-        if (!live_before_that.empty()) cover(live_before_that);
-        for (int cell = std::max(span.from, led.from); cell <= std::min(span.to, led.to); ++cell) {
+        Span within;
+        for (const Layer& layer : limits) within = covering(within, layer.spans.of(row + 2 * offset_));
+        // Cells that anything leads to: what is reached of them is kept.
+        Span led = covering(begin_span, before_that);
+        if (!before.empty()) led = covering(led, {before.from - 1, before.to + 1, 0});
+        led = {std::max({led.from, within.from, free_span.from}), std::min({led.to, within.to, free_span.to}),
+               set.of.size()};
+        if (led.empty()) continue;
+        set.of.resize(set.of.size() + static_cast<std::size_t>(led.to - led.from) + 1);
+        Span& reached = set.spans.rows[static_cast<std::size_t>(row - set.spans.first)];
+        for (int cell = led.from; cell <= led.to; ++cell) {
             const int d = column_of(row, cell);
             const int left = cell_of(d - 1), right = cell_of(d + 1);
             const InnerSet::Range begins = starts.at(begin_span, cell), from_before_that = set.at(before_that, cell);
@@ -224,25 +213,15 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
             }
             if (clipped.empty()) continue;
             tidy(clipped, most_intervals);
-            set.of[span.at(cell)] = {static_cast<std::uint32_t>(set.intervals.size()),
-                                     static_cast<std::uint32_t>(clipped.size())};
+            set.of[led.at(cell)] = {static_cast<std::uint32_t>(set.intervals.size()),
+                                    static_cast<std::uint32_t>(clipped.size())};
             set.intervals.insert(set.intervals.end(), clipped.begin(), clipped.end());
-            if (live.empty()) live.from = cell;
-            live.to = cell;
+            if (reached.empty()) reached = {cell, cell, led.at(cell)};
+            reached.to = cell;
         }
-        reached[static_cast<std::size_t>(row - set.spans.first)] = live;
+        set.of.resize(reached.empty() ? led.begin : reached.at(reached.to) + 1);
     }
-    // Many sets are kept: what was not reached takes no room.
-    Spans kept;
-    kept.first = set.spans.first;
-    kept.rows = std::move(reached);
-    kept.store();
-    for (int row = kept.first; row <= kept.last(); ++row) {
-        const Span from = set.spans.of(row), to = kept.of(row);
-        for (int cell = to.from; cell <= to.to; ++cell) set.of[to.at(cell)] = set.of[from.at(cell)];
-    }
-    set.spans = std::move(kept);
-    set.of.resize(set.spans.cells);
+    set.spans.cells = set.of.size();
     set.of.shrink_to_fit();
     set.intervals.shrink_to_fit();
     return set;
