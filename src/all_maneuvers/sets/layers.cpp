@@ -33,15 +33,22 @@ Rows rows_of(const std::vector<const Limits*>& several) {
     return all;
 }
 
+void make_room(Micros& numbers, std::size_t count) {
+    if (count > numbers.capacity()) {
+        const std::size_t room = std::max(count, 2 * numbers.capacity());  // where the next ones are larger, too
+        numbers = {};
+        numbers.reserve(room);
+    }
+    numbers.resize(count);
+}
+
 namespace {
 
 /// For cells that are about to be written.
 void make_room(Layer& layer) {
     layer.spans.store();
-    layer.low.clear();
-    layer.high.clear();
-    layer.low.resize(layer.spans.cells + vector_padding);
-    layer.high.resize(layer.spans.cells + vector_padding);
+    make_room(layer.low, layer.spans.cells + vector_padding);
+    make_room(layer.high, layer.spans.cells + vector_padding);
 }
 
 }  // namespace

@@ -128,10 +128,8 @@ void clear(Pairs& pairs, const Limits& limits, Rows rows) {
 void make_room(Pairs& pairs, const Limits& limits) {
     pairs.layers.resize(limits.size());
     for (std::size_t k = 0; k < limits.size(); ++k) {
-        for (Micros* numbers : {&pairs.layers[k].z, &pairs.layers[k].w}) {
-            numbers->clear();
-            numbers->resize(limits[k].low.size());
-        }
+        make_room(pairs.layers[k].z, limits[k].low.size());
+        make_room(pairs.layers[k].w, limits[k].low.size());
     }
 }
 

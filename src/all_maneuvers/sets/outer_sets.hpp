@@ -104,6 +104,8 @@ struct Unset : std::allocator<T> {
     }
 };
 using Micros = std::vector<Micro, Unset<Micro>>;
+/// For so many numbers that are about to be written; what they were is lost.
+void make_room(Micros& numbers, std::size_t count);
 
 /// Intervals of y, at most one in a cell; low > high where there is none.
 struct Layer {
