@@ -48,7 +48,7 @@ TEST(OuterSets, HoldEveryPlaceOfRandomManeuversOutOfTheSlot) {
                     if (k == 0) {
                         lattice.begin(rows, pairs, limits, direction, lattice.parked());
                     } else {
-                        lattice.turn(rows, pairs, limits, direction, before.back(), limits);
+                        lattice.turn(rows, pairs, limits, direction, before.back());
                     }
                 });
             }

@@ -189,31 +189,27 @@ void OuterLattice::clip(Rows rows, const Limits& coarser, Limits& clipped) const
     }
 }
 
-Limits OuterLattice::within(const Pairs& pairs, const Limits& beside, const Limits& limits, Direction direction) const {
+Limits OuterLattice::within(const Pairs& pairs, const Limits& limits, Direction direction) const {
     const Numbers& of = numbers(direction);
-    const auto pairs_at = [&](std::size_t k, int row, int cell) { return beside[k].spans.of(row).at(cell); };
     Limits all(limits.size());
-    for (std::size_t k = 0; k < limits.size(); ++k) all[k].spans = limits[k].spans;
-    Workers* const workers = workers_for(limits);
-    in_blocks(workers, [] {}, rows_of({&limits}), [&](Rows rows) {
-        for (std::size_t k = 0; k < limits.size(); ++k) {
-            each_row(all[k].spans, rows, [&](int row, Span& span) {
-                const Stretch part = reached(pairs.layers[k].z.data() + pairs_at(k, row, span.from),
-                                             static_cast<std::size_t>(span.to - span.from) + 1);
-                span = part.from == part.to ? Span{}
-                                            : Span{span.from + static_cast<int>(part.from),
-                                                   span.from + static_cast<int>(part.to) - 1, 0};
-            });
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+        const Spans &spans = limits[k].spans, &reached = pairs.layers[k].reached;
+        all[k].spans = {spans.first, {}, 0};
+        for (int row = spans.first; row <= spans.last(); ++row) {
+            const Span mine = spans.of(row), theirs = reached.of(row);
+            const Span both = {std::max(mine.from, theirs.from), std::min(mine.to, theirs.to), 0};
+            all[k].spans.rows.push_back(both.empty() ? Span{} : both);
         }
-    });
+    }
     for (Layer& layer : all) make_room(layer);
-    in_blocks(workers, [] {}, rows_of({&limits}), [&](Rows rows) {
+    in_blocks(workers_for(all), [] {}, rows_of({&all}), [&](Rows rows) {
         for (std::size_t k = 0; k < limits.size(); ++k) {
             const Layer& layer = limits[k];
+            const Pairs::Of& theirs = pairs.layers[k];
             write_rows(all[k], rows, [&](int row, int first, Micro* low, Micro* high, std::size_t count) {
-                const std::size_t at = layer.spans.of(row).at(first), pair = pairs_at(k, row, first);
-                cut({low, high, layer.low.data() + at, layer.high.data() + at, pairs.layers[k].w.data() + pair,
-                     pairs.layers[k].z.data() + pair, of.down.at(row, first), of.up.at(row, first)},
+                const std::size_t at = layer.spans.of(row).at(first), pair = theirs.reached.of(row).at(first);
+                cut({low, high, layer.low.data() + at, layer.high.data() + at, theirs.w.data() + pair,
+                     theirs.z.data() + pair, of.down.at(row, first), of.up.at(row, first)},
                     count);
             });
         }

@@ -130,6 +130,8 @@ void make_room(Pairs& pairs, const Limits& limits) {
     for (std::size_t k = 0; k < limits.size(); ++k) {
         make_room(pairs.layers[k].z, limits[k].low.size());
         make_room(pairs.layers[k].w, limits[k].low.size());
+        pairs.layers[k].reached.first = limits[k].spans.first;
+        pairs.layers[k].reached.rows.assign(limits[k].spans.rows.size(), {});
     }
 }
 
@@ -213,20 +215,19 @@ bool OuterLattice::holds(const Pairs& pairs, const Limits& limits, Direction dir
     return false;
 }
 
-void OuterLattice::turn(Rows rows, Pairs& pairs, const Limits& limits, Direction direction, const Pairs& before,
-                        const Limits& limits_before) const {
+void OuterLattice::turn(Rows rows, Pairs& pairs, const Limits& limits, Direction direction,
+                        const Pairs& before) const {
     clear(pairs, limits, rows);
     const Numbers& of = numbers(direction);
     std::vector<Micro> z, w;
-    for (std::size_t m = 0; m < limits_before.size(); ++m) {
+    for (const Pairs::Of& from : before.layers) {
         for (int row = rows.first; row <= rows.last; ++row) {
-            const Span given = limits_before[m].spans.of(row);
+            const Span given = from.reached.of(row);
             if (given.empty()) continue;
             const auto count = static_cast<std::size_t>(given.to - given.from) + 1;
             z.resize(count + vector_padding);
             w.resize(count + vector_padding);
-            const Micro *old_z = before.layers[m].z.data() + given.begin,
-                        *old_w = before.layers[m].w.data() + given.begin;
+            const Micro *old_z = from.z.data() + given.begin, *old_w = from.w.data() + given.begin;
             const Micro *more_z = of.turn_z.at(row, given.from), *more_w = of.turn_w.at(row, given.from);
             for (std::size_t i = 0; i < count; ++i) {
                 z[i] = (old_z[i] + more_z[i] + (coarse_grid - 1)) & ~(coarse_grid - 1);
@@ -288,12 +289,16 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
                 std::fill_n(mine.z.begin() + from, count, -nowhere);
                 std::fill_n(mine.w.begin() + from, count, nowhere);
             }
+            mine.live = {};
             const Span span = limits[k].spans.of(row);
-            const Pairs::Of& now = pairs.layers[k];
+            if (span.empty()) continue;
+            Pairs::Of& now = pairs.layers[k];
             const Stretch part = reached(now.z.data() + span.begin, static_cast<std::size_t>(span.to - span.from) + 1);
-            mine.live = {span.from + static_cast<int>(part.from), span.from + static_cast<int>(part.to) - 1, 0};
-            if (mine.live.empty()) continue;
-            const auto from = static_cast<std::ptrdiff_t>(span.at(mine.live.from));
+            if (part.from == part.to) continue;
+            mine.live = {span.from + static_cast<int>(part.from), span.from + static_cast<int>(part.to) - 1,
+                         span.begin + part.from};
+            now.reached.rows[static_cast<std::size_t>(row - now.reached.first)] = mine.live;
+            const auto from = static_cast<std::ptrdiff_t>(mine.live.begin);
             const auto count = static_cast<std::ptrdiff_t>(mine.live.to - mine.live.from) + 1;
             std::copy_n(now.z.begin() + from, count, mine.z.begin() + (mine.live.from - first_cell));
             std::copy_n(now.w.begin() + from, count, mine.w.begin() + (mine.live.from - first_cell));
@@ -326,7 +331,7 @@ BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forwar
         Pairs pairs;
         lattice.sweep(pairs, limits, direction, watched, [&](Rows rows) {
             if (before) {
-                lattice.turn(rows, pairs, limits, direction, *before, limits);
+                lattice.turn(rows, pairs, limits, direction, *before);
             } else {
                 lattice.begin(rows, pairs, limits, direction, lattice.parked());
             }

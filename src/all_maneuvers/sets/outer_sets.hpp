@@ -126,6 +126,7 @@ Rows rows_of(const std::vector<const Limits*>& several);
 struct Pairs {
     struct Of {
         Micros z, w;
+        Spans reached = {};  ///< where they hold anything
     };
     std::vector<Of> layers;
 };
@@ -193,16 +194,14 @@ public:
     void begin(Rows rows, Pairs& pairs, const Limits& limits, Direction direction, const Limits& places) const;
     void begin_at_start(Rows rows, Pairs& pairs, const Limits& limits, Direction direction) const;
     /// Begins with what a move of the other direction has reached, rounded outward to a coarser grid.
-    void turn(Rows rows, Pairs& pairs, const Limits& limits, Direction direction, const Pairs& before,
-              const Limits& limits_before) const;
+    void turn(Rows rows, Pairs& pairs, const Limits& limits, Direction direction, const Pairs& before) const;
 
     [[nodiscard]] bool holds(const Pairs& pairs, const Limits& limits, Direction direction, const Pose& pose) const;
     [[nodiscard]] bool holds_start(const Pairs& pairs, const Limits& limits, Direction direction) const {
         return holds(pairs, limits, direction, start_);
     }
-    /// Limits, a part of those that pairs lie beside, cut down to what the pairs hold.
-    [[nodiscard]] Limits within(const Pairs& pairs, const Limits& beside, const Limits& limits,
-                                Direction direction) const;
+    /// Limits cut down to what pairs hold, that lie beside them or beside some they are a part of.
+    [[nodiscard]] Limits within(const Pairs& pairs, const Limits& limits, Direction direction) const;
     /// The free intervals, clipped to what is left of the lattice twice as coarse: room for them, and some rows.
     void room_for_clipped(const Limits& coarser, Limits& clipped) const;
     void clip(Rows rows, const Limits& coarser, Limits& clipped) const;

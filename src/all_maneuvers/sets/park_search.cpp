@@ -120,10 +120,10 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
                 if (k == 0) {
                     lattice.begin(rows, move.pairs, move.limits, direction, lattice.parked());
                 } else {
-                    lattice.turn(rows, move.pairs, move.limits, direction, last.pairs, last.limits);
+                    lattice.turn(rows, move.pairs, move.limits, direction, last.pairs);
                 }
             });
-            mine = lattice.within(move.pairs, move.limits, move.limits, direction);
+            mine = lattice.within(move.pairs, move.limits, direction);
         }
         std::swap(now, before);
         for (const Direction direction : both_directions) {
@@ -153,10 +153,10 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
                 if (k + 1 == moves) {
                     lattice.begin_at_start(rows, move.pairs, move.limits, direction);
                 } else {
-                    lattice.turn(rows, move.pairs, move.limits, direction, last.pairs, last.limits);
+                    lattice.turn(rows, move.pairs, move.limits, direction, last.pairs);
                 }
             });
-            mine = lattice.within(move.pairs, move.limits, move.limits, direction);
+            mine = lattice.within(move.pairs, move.limits, direction);
         }
         std::swap(now, before);
     }
@@ -544,14 +544,13 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
                         if (i == 0) {
                             lattice.begin_at_start(rows, pairs, lattice.free(), other(direction));
                         } else {
-                            lattice.turn(rows, pairs, lattice.free(), other(direction), moves.back(), lattice.free());
+                            lattice.turn(rows, pairs, lattice.free(), other(direction), moves.back());
                         }
                     });
                     moves.push_back(std::move(pairs));
                 }
-                const Limits reached =
-                    lattice.within(out.of(direction)[k], lattice.free(), lattice.free(), direction);
-                left.moves.of(direction)[k] = lattice.within(moves[i], lattice.free(), reached, other(direction));
+                const Limits reached = lattice.within(out.of(direction)[k], lattice.free(), direction);
+                left.moves.of(direction)[k] = lattice.within(moves[i], reached, other(direction));
             }
         }
         left.hull_of_all = hull_of(left.moves);

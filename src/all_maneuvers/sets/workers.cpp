@@ -14,12 +14,22 @@ namespace snug::detail::sets {
 
 using Work = std::function<void(int, const Watching&)>;
 
+namespace {
+
+/// Waits a while for what is likely to come sooner than a thread wakes up.
+template <class Has>
+void soon(const Has& has_come) {
+    for (int i = 0; i < 200 && !has_come(); ++i) std::this_thread::yield();
+}
+
+}  // namespace
+
 struct Workers::Crew {
     std::mutex mutex;
     std::condition_variable begin, end;
     const Work* work = nullptr;  ///< that is open to whoever has time
-    unsigned jobs = 0;           ///< begun so far
-    int at_work = 0;             ///< threads other than the one that asks
+    std::atomic<unsigned> jobs{0};  ///< begun so far
+    std::atomic<int> at_work{0};    ///< threads other than the one that asks
     bool over = false;
     bool shared = false;  ///< until all parts are done
     int parts = 0;
@@ -46,6 +56,9 @@ struct Workers::Crew {
         };
         std::unique_lock lock(mutex);
         for (unsigned seen = 0;;) {
+            lock.unlock();
+            soon([&] { return jobs != seen; });
+            lock.lock();
             begin.wait(lock, [&] { return over || (work && jobs != seen); });
             if (over) return;
             seen = jobs;
@@ -101,6 +114,9 @@ void Workers::share(int parts, const Watching& watch, const Work& work) {
     crew.do_parts(work, watch);
     std::unique_lock lock(crew.mutex);
     crew.work = nullptr;  // who has not begun comes too late
+    lock.unlock();
+    soon([&] { return crew.at_work == 0; });
+    lock.lock();
     crew.end.wait(lock, [&] { return crew.at_work == 0; });
     crew.shared = false;
     if (crew.trouble) std::rethrow_exception(crew.trouble);
