@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,7 +13,7 @@
 
 #include "all_maneuvers/sets/outer_sets.hpp"
 #include "all_maneuvers/sets/park_search.hpp"
-#include "all_maneuvers/sets/workers.hpp"
+#include "all_maneuvers/workers.hpp"
 #include "contact/place_contact.hpp"
 #include "in_world.hpp"
 #include "model/angles.hpp"
@@ -24,6 +25,9 @@ namespace snug {
 namespace {
 
 using namespace detail::sets;
+using detail::GivenUp;
+using detail::Watch;
+using detail::Workers;
 
 using limits::half_turn;
 constexpr double usual_part = 1.0 / 800;    ///< of the car's length: the usual resolution
@@ -150,22 +154,20 @@ ParkAnswer park(const Car& car, const Place& place, const Pose& start, const Par
                     spelled(std::round(cells / 1e6)) + " million cells, but at most " + spelled(most_cells / 1e6) +
                     " million are supported; name a smaller region, or a coarser resolution");
 
-#ifndef __EMSCRIPTEN__
-    std::optional<Workers> workers;
-    if (options.threads != 1) question.workers = &workers.emplace(options.threads);
-#endif
     ParkBounds bounds;
     bool stopped = false;
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
-    const Watching watch = [&] {
+    const auto look = [&] {
         const double part = std::chrono::duration<double>(Clock::now() - begin).count() / options.time_limit;
-        if (part > 1.0) throw Stopped{};
-        if (options.progress && !options.progress({bounds.lower, bounds.upper, bounds.spacing, part})) throw Stopped{};
+        if (part > 1.0) throw GivenUp{};
+        if (options.progress && !options.progress({bounds.lower, bounds.upper, bounds.spacing, part})) throw GivenUp{};
     };
+    const std::unique_ptr<Workers> workers = detail::workers_for(options.threads);
+    const Watch watch(look, workers.get());
     try {
         narrow(question, bounds, watch);
-    } catch (const Stopped&) {
+    } catch (const GivenUp&) {
         stopped = true;  // as far as it got
     }
 

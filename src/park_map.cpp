@@ -23,6 +23,8 @@
 namespace snug {
 
 using namespace detail::sets;
+using detail::GivenUp;
+using detail::Watch;
 
 namespace {
 
@@ -90,7 +92,7 @@ struct ParkMap::Swept {
     OuterMap outer;
     InnerMap inner;
 
-    Swept(const Car& of, const Place& in, const ParkMapOptions& how, const Watching& watch)
+    Swept(const Car& of, const Place& in, const ParkMapOptions& how, const Watch& watch)
         : car(of),
           place(in),
           options(how),
@@ -110,15 +112,15 @@ struct ParkMap::Swept {
 
     /// One level more, of those that are counted.
     template <class Map>
-    bool sweep_on(Map& map, const Watching& watch) {
+    bool sweep_on(Map& map, const Watch& watch) {
         return map.most() < options.max_changes && map.sweep_on(watch);
     }
     /// As far as it takes to know of a free pose in the chart.
-    void sweep_for(const Pose& pose, const Watching& watch) {
+    void sweep_for(const Pose& pose, const Watch& watch) {
         while (outer.changes_at(pose) > outer.most() && sweep_on(outer, watch)) outer.settle();
         while (!inner.joining(pose) && sweep_on(inner, watch)) inner.settle();
     }
-    void sweep(const Watching& watch) {
+    void sweep(const Watch& watch) {
         while (sweep_on(outer, watch)) {
         }
         while (sweep_on(inner, watch)) {
@@ -236,8 +238,8 @@ ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& optio
     if (reach > farthest_y || here.radius > 40.0)
         throw Error("the region reaches " + spelled(std::round(reach)) + " m to either side, but at most " +
                     spelled(farthest_y) + " are supported; name a smaller one");
-    const Watching watch = [&] {
-        if (options.progress && !options.progress()) throw Stopped{};
+    const Watch watch = [&] {
+        if (options.progress && !options.progress()) throw GivenUp{};
     };
     try {
         const auto swept = std::make_shared<Swept>(car, place, asked, watch);
@@ -249,7 +251,7 @@ ParkMap::ParkMap(const Car& car, const Place& place, const ParkMapOptions& optio
             options.first->known(*this);
         }
         swept->sweep(watch);
-    } catch (const Stopped&) {
+    } catch (const GivenUp&) {
         throw Error("the map was given up before it was done");
     }
 }

@@ -50,11 +50,11 @@ struct CellHeadings {
 };
 
 /// The same number many times over. Fresh memory is slow, so somebody looks at the clock now and then.
-Numbers many(std::size_t count, double number, const Watch& watch) {
+Numbers<double> many(std::size_t count, double number, const Watch& watch) {
     constexpr std::size_t at_once = std::size_t{1} << 20;
-    Numbers numbers(watch.store(), count);
+    Numbers<double> numbers(count, watch.store());
     for (std::size_t done = 0; done < count; done += at_once) {
-        std::fill_n(numbers.begin() + done, std::min(count - done, at_once), number);
+        std::fill_n(numbers.data() + done, std::min(count - done, at_once), number);
         watch();
     }
     return numbers;
@@ -459,7 +459,7 @@ void Heights::sweep_cells(int row, const Window& cells, Direction direction, con
         before = nothing_.data();
     }
     const bool backward = direction == Direction::backward && !lattice_->needed_backward_.empty();
-    const Numbers& needed = backward ? lattice_->needed_backward_ : lattice_->needed_;
+    const Numbers<double>& needed = backward ? lattice_->needed_backward_ : lattice_->needed_;
     const SweepTerms& terms = lattice_->terms_of(direction, row);
     const Above above = !backward ? Above::allowed : lattice_->bound_ == Bound::lower ? Above::lowered : Above::dropped;
     const std::size_t term = lattice_->term(cells.from);

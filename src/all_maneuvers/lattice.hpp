@@ -19,27 +19,11 @@
 #include <vector>
 
 #include "all_maneuvers/numbers.hpp"
+#include "all_maneuvers/watch.hpp"
 #include "contact/entering.hpp"
 #include "snug/maneuver.hpp"
 
 namespace snug::detail {
-
-struct GivenUp {};
-/// What the lattices of a question share. Called, it looks whether time is up or the caller has had enough, and throws
-/// GivenUp if so.
-class Watch {
-public:
-    template <class Look, class = std::enable_if_t<std::is_invocable_v<Look&>>>
-    Watch(Look look) : look_(std::move(look)) {}  // NOLINT(google-explicit-constructor)
-
-    void operator()() const { look_(); }
-    /// The memory of the question.
-    [[nodiscard]] const std::shared_ptr<NumberStore>& store() const { return store_; }
-
-private:
-    std::function<void()> look_;
-    std::shared_ptr<NumberStore> store_ = std::make_shared<NumberStore>();
-};
 
 /// Which bound on the number of direction changes the lattice gives.
 enum class Bound {
@@ -207,8 +191,8 @@ private:
     SweepTerms forward_[2], backward_[2];  // likewise
     Rows rows_;                            // within which the car may be
     std::vector<std::size_t> begin_;       // of each row's cells
-    Numbers needed_;                       // lowest free position of each cell
-    Numbers needed_backward_;              // where that is another one driving backward
+    Numbers<double> needed_;               // lowest free position of each cell
+    Numbers<double> needed_backward_;      // where that is another one driving backward
     std::vector<Goal> goals_;
 };
 
@@ -238,7 +222,7 @@ private:
     void sweep_cells(int row, const Window& cells, Direction direction, const double* before);
 
     const Lattice* lattice_;
-    Numbers z_;
+    Numbers<double> z_;
     std::vector<double> nothing_;
     Rows reached_;
     std::size_t updates_ = 0;

@@ -6,61 +6,85 @@
 
 #include <cstddef>
 #include <memory>
+#include <mutex>
+#include <new>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace snug::detail {
 
 /// Memory in few pieces, cut up for rows of numbers. Very long rows come from the system one by one, so that what is not in
-/// use adds little to what a question takes at most.
+/// use adds little to what a question takes at most. Threads may share it.
 class NumberStore {
 public:
-    /// So many numbers, not set.
-    double* take(std::size_t count);
+    /// So many bytes, not set.
+    void* take(std::size_t bytes);
     /// Takes back what was taken, with the same count.
-    void give_back(double* numbers, std::size_t count) noexcept;
+    void give_back(void* numbers, std::size_t bytes) noexcept;
 
 private:
     struct Piece {
-        std::unique_ptr<double[]> numbers;
-        std::size_t count;
+        std::unique_ptr<std::byte[]> begin;
+        std::size_t bytes;
     };
     struct Gap {
-        double* begin;
-        std::size_t count;
+        std::byte* begin;
+        std::size_t bytes;
     };
-    [[nodiscard]] bool begins_piece(const double* numbers) const;
+    [[nodiscard]] bool begins_piece(const std::byte* place) const;
     void add_gap(const Gap& gap);
     void drop_unused_pieces();
+    [[nodiscard]] std::byte* cut_off(std::size_t bytes);
 
+    std::mutex mutex_;
     std::vector<Piece> pieces_;
     std::vector<Gap> gaps_;  // by address
     std::size_t total_ = 0;  ///< of the pieces
     std::size_t taken_ = 0;  ///< rows from them
 };
 
-/// A row of numbers.
-class Numbers {
+/// Allocates from a store; without one, from the system. What is not given a value is not set.
+template <class T>
+class FromStore {
 public:
-    Numbers() = default;
-    /// Not set.
-    Numbers(std::shared_ptr<NumberStore> store, std::size_t count);
-    Numbers(const Numbers& other);
-    Numbers(Numbers&& other) noexcept;
-    Numbers& operator=(Numbers other) noexcept;
-    ~Numbers();
+    using value_type = T;
+    using propagate_on_container_copy_assignment = std::true_type;
+    using propagate_on_container_move_assignment = std::true_type;
+    using propagate_on_container_swap = std::true_type;
 
-    [[nodiscard]] std::size_t size() const { return count_; }
-    [[nodiscard]] bool empty() const { return count_ == 0; }
-    double& operator[](std::size_t i) { return numbers_[i]; }
-    const double& operator[](std::size_t i) const { return numbers_[i]; }
-    [[nodiscard]] double* begin() { return numbers_; }
-    [[nodiscard]] const double* begin() const { return numbers_; }
-    [[nodiscard]] const double* end() const { return numbers_ + count_; }
+    FromStore() = default;
+    FromStore(std::shared_ptr<NumberStore> store) : store_(std::move(store)) {}  // NOLINT(google-explicit-constructor)
+    template <class U>
+    FromStore(const FromStore<U>& other) : store_(other.store()) {}  // NOLINT(google-explicit-constructor)
+
+    [[nodiscard]] const std::shared_ptr<NumberStore>& store() const { return store_; }
+    T* allocate(std::size_t count) {
+        return static_cast<T*>(store_ ? store_->take(count * sizeof(T)) : ::operator new(count * sizeof(T)));
+    }
+    void deallocate(T* numbers, std::size_t count) noexcept {
+        if (store_) {
+            store_->give_back(numbers, count * sizeof(T));
+        } else {
+            ::operator delete(numbers);
+        }
+    }
+    template <class U>
+    void construct(U* at) {
+        ::new (static_cast<void*>(at)) U;
+    }
+    template <class U, class... Args>
+    void construct(U* at, Args&&... args) {
+        ::new (static_cast<void*>(at)) U(std::forward<Args>(args)...);
+    }
+    friend bool operator==(const FromStore& one, const FromStore& other) { return one.store_ == other.store_; }
 
 private:
     std::shared_ptr<NumberStore> store_;
-    double* numbers_ = nullptr;
-    std::size_t count_ = 0;
 };
+
+/// A row of them.
+template <class T>
+using Numbers = std::vector<T, FromStore<T>>;
 
 }  // namespace snug::detail

@@ -11,7 +11,7 @@
 #include "all_maneuvers/sets/layer_builder.hpp"
 #include "all_maneuvers/sets/outer_sets.hpp"
 #include "all_maneuvers/sets/parents.hpp"
-#include "all_maneuvers/sets/workers.hpp"
+#include "all_maneuvers/workers.hpp"
 
 namespace snug::detail::sets {
 
@@ -53,13 +53,13 @@ private:
 
 }  // namespace
 
-void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const Watching& watch) {
+void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const Watch& watch) {
     // Columns that have a heading of the chart in them.
     int first_column = first_column_, last_column = last_column_;
     while (sine(first_column) + sine_step_ < -steepest_sine) ++first_column;
     while (sine(last_column) - sine_step_ > steepest_sine) --last_column;
     std::vector<Bands> columns(static_cast<std::size_t>(last_column - first_column) + 1);
-    in_parts(workers_, last_column - first_column + 1, watch, [&](int i, const Watching&) {
+    in_parts(workers_, last_column - first_column + 1, watch, [&](int i, const Watch&) {
         columns[static_cast<std::size_t>(i)] = bands_of_cell(place, sine(first_column + i), h_);
     });
     std::optional<Parents> parents;
@@ -70,7 +70,7 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const 
 
     // Column by column, some rows at once, so that bands are measured in vectors; layers are made row by row.
     constexpr std::size_t both = 2 * most_layers;  // those that are free, and where the car is parked in them
-    Limits made = made_by_rows(workers_, watch, rows, both, [&](Rows some, LayerRows* layers) {
+    Limits made = made_by_rows(watch, rows, both, [&](Rows some, LayerRows* layers) {
         const auto columns_of = [&](int row) {
             if (!parents) return Span{first_column, last_column, 0};
             const Span children = parents->columns(row);

@@ -38,7 +38,7 @@ void tidy(std::vector<Interval>& intervals, std::size_t most) {
     }
 }
 
-InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const Layer& cells, const Watching& watch)
+InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const Layer& cells, const Watch& watch)
     : h_(h),
       radius_(place.radius),
       sine_step_(h / (2.0 * place.radius)),
@@ -69,9 +69,16 @@ InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const L
         columns_.push_back(bands_at(place, s));
         watch();
     }
-    free_.spans = parked_.spans = spans;
-    free_.of.assign(spans.cells, {0, not_measured});
-    parked_.of.resize(spans.cells);
+    free_.spans = spans;
+    free_.of = Numbers<InnerSet::Few>(spans.cells, {0, not_measured}, watch.store());
+    free_.intervals = Numbers<Interval>(watch.store());
+    // Of those rows and cells in which the car may be parked.
+    struct Parking {
+        int column, first, last;
+    };
+    std::vector<Parking> parking;
+    parked_.spans.first = spans.first;
+    parked_.spans.rows.resize(spans.rows.size());
     for (int d = first_column_; d <= last_column; ++d) {
         const Band& band = columns_[static_cast<std::size_t>(d - first_column_)].parked;
         if (!(band.from <= band.to)) continue;
@@ -81,15 +88,28 @@ InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const L
         };
         const int first = std::max(spans.first, row_at(std::floor((band.from - start_.x) / (h_ / 2.0))));
         const int last = std::min(spans.last(), row_at(std::ceil((band.to - start_.x) / (h_ / 2.0))));
-        for (int row = first + ((first ^ d) & 1); row <= last; row += 2) {
+        parking.push_back({d, first + ((first ^ d) & 1), last});
+        for (int row = parking.back().first; row <= last; row += 2) {
+            const int cell = cell_of(d);
+            if (spans.of(row).holds(cell)) {
+                Span& span = parked_.spans.rows[static_cast<std::size_t>(row - spans.first)];
+                span = covering(span, {cell, cell, 0});
+            }
+        }
+    }
+    parked_.spans.store();
+    parked_.of = Numbers<InnerSet::Few>(parked_.spans.cells, {0, 0}, watch.store());
+    for (const auto& [d, first, last] : parking) {
+        const Band& band = columns_[static_cast<std::size_t>(d - first_column_)].parked;
+        for (int row = first; row <= last; row += 2) {
             const Span span = spans.of(row);
             const int cell = cell_of(d);
-            if (cell < span.from || cell > span.to) continue;
+            if (!span.holds(cell)) continue;
             double low = 0.0, high = 0.0;
             band.at(x(row), low, high);
             if (low > high) continue;
             const InnerSet::Few few = measured(row, span, cell);
-            InnerSet::Few& mine = parked_.of[span.at(cell)];
+            InnerSet::Few& mine = parked_.of[parked_.spans.of(row).at(cell)];
             mine.begin = static_cast<std::uint32_t>(parked_.intervals.size());
             for (std::uint32_t i = 0; i < few.count; ++i) {
                 const Interval& free = free_.intervals[few.begin + i];
@@ -137,8 +157,10 @@ InnerSet::Few InnerLattice::measured(int row, const Span& span, int cell) {
     return few;
 }
 
-InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direction direction, const Watching& watch) {
+InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direction direction, const Watch& watch) {
     InnerSet set;
+    set.of = Numbers<InnerSet::Few>(watch.store());
+    set.intervals = Numbers<Interval>(watch.store());
     const auto [first_row, last_row] = rows_of({&limits});
     set.spans.first = first_row - 2 * offset_;
     set.spans.rows.resize(static_cast<std::size_t>(std::max(0, last_row - first_row + 1)));
@@ -159,7 +181,7 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
         led = {std::max({led.from, within.from, free_span.from}), std::min({led.to, within.to, free_span.to}),
                set.of.size()};
         if (led.empty()) continue;
-        set.of.resize(set.of.size() + static_cast<std::size_t>(led.to - led.from) + 1);
+        set.of.resize(set.of.size() + static_cast<std::size_t>(led.to - led.from) + 1, {0, 0});
         Span& reached = set.spans.rows[static_cast<std::size_t>(row - set.spans.first)];
         for (int cell = led.from; cell <= led.to; ++cell) {
             const int d = column_of(row, cell);

@@ -43,8 +43,8 @@ struct InnerSet {
         }
     };
     Spans spans;
-    std::vector<Few> of;
-    std::vector<Interval> intervals;
+    Numbers<Few> of;
+    Numbers<Interval> intervals;
 
     [[nodiscard]] Range at(const Span& span, int cell) const {
         if (cell < span.from || cell > span.to) return {};
@@ -62,7 +62,7 @@ void tidy(std::vector<Interval>& intervals, std::size_t most);
 class InnerLattice {
 public:
     /// Nodes at distance h, within `cells` of the lattice of lower bounds, which must outlive it.
-    InnerLattice(const ChartPlace& place, double h, double h0, const Layer& cells, const Watching& watch);
+    InnerLattice(const ChartPlace& place, double h, double h0, const Layer& cells, const Watch& watch);
 
     [[nodiscard]] double h() const { return h_; }
     [[nodiscard]] double radius() const { return radius_; }
@@ -74,7 +74,7 @@ public:
 
     /// Everything from which a move leads back to `starts`, within `limits` of the lattice of lower bounds.
     [[nodiscard]] InnerSet sweep(const InnerSet& starts, const Limits& limits, Direction direction,
-                                 const Watching& watch);
+                                 const Watch& watch);
     [[nodiscard]] bool holds_start(const InnerSet& set) const { return set.at(0, 0).room(start_.y) > -1.0; }
 
     std::size_t updates = 0;

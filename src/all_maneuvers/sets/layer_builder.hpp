@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "all_maneuvers/sets/outer_sets.hpp"
-#include "all_maneuvers/sets/workers.hpp"
+#include "all_maneuvers/workers.hpp"
 
 namespace snug::detail::sets {
 
@@ -28,7 +28,7 @@ public:
         high_.insert(high_.end(), high + begin, high + count);
     }
 
-    friend Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::size_t layers,
+    friend Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers,
                                const std::function<void(Rows, LayerRows*)>& make);
 
 private:
@@ -42,8 +42,8 @@ inline int blocks_of(Rows rows) { return rows.first > rows.last ? 0 : (rows.last
 
 /// Does something for all rows, some at a time, perhaps at the same time as others.
 template <class Do>
-void in_blocks(Workers* workers, const Watching& watch, Rows rows, const Do& act) {
-    in_parts(workers, blocks_of(rows), watch, [&](int block, const Watching&) {
+void in_blocks(Workers* workers, const Watch& watch, Rows rows, const Do& act) {
+    in_parts(workers, blocks_of(rows), watch, [&](int block, const Watch&) {
         const int first = rows.first + block * rows_at_once;
         act(Rows{first, std::min(first + rows_at_once - 1, rows.last)});
     });
@@ -51,7 +51,7 @@ void in_blocks(Workers* workers, const Watching& watch, Rows rows, const Do& act
 
 /// So many layers. `make` is told some of the rows at a time, perhaps at the same time as others, and where to add those of each
 /// layer.
-Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::size_t layers,
+Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers,
                     const std::function<void(Rows rows, LayerRows* layers)>& make);
 
 }  // namespace snug::detail::sets

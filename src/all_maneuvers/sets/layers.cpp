@@ -33,10 +33,10 @@ Rows rows_of(const std::vector<const Limits*>& several) {
     return all;
 }
 
-void make_room(Micros& numbers, std::size_t count) {
+void make_room(Micros& numbers, std::size_t count, const std::shared_ptr<NumberStore>& store) {
     if (count > numbers.capacity()) {
         const std::size_t room = std::max(count, 2 * numbers.capacity());  // where the next ones are larger, too
-        numbers = {};
+        numbers = Micros(store);
         numbers.reserve(room);
     }
     numbers.resize(count);
@@ -45,10 +45,10 @@ void make_room(Micros& numbers, std::size_t count) {
 namespace {
 
 /// For cells that are about to be written.
-void make_room(Layer& layer) {
+void lay_out(Layer& layer, const std::shared_ptr<NumberStore>& store) {
     layer.spans.store();
-    make_room(layer.low, layer.spans.cells + vector_padding);
-    make_room(layer.high, layer.spans.cells + vector_padding);
+    make_room(layer.low, layer.spans.cells + vector_padding, store);
+    make_room(layer.high, layer.spans.cells + vector_padding, store);
 }
 
 }  // namespace
@@ -87,12 +87,12 @@ Layer hull(const std::vector<const Limits*>& several) {
     return all;
 }
 
-Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::size_t layers,
+Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers,
                     const std::function<void(Rows, LayerRows*)>& make) {
     const int blocks = blocks_of(rows);
     std::vector<LayerRows> made(layers * static_cast<std::size_t>(blocks));
     const auto of = [&](int block) { return made.data() + layers * static_cast<std::size_t>(block); };
-    in_blocks(workers, watch, rows, [&](Rows some) { make(some, of((some.first - rows.first) / rows_at_once)); });
+    in_blocks(watch.workers(), watch, rows, [&](Rows some) { make(some, of((some.first - rows.first) / rows_at_once)); });
     Limits all(layers);
     for (std::size_t k = 0; k < layers; ++k) {
         // In one piece: rows between those that hold anything stay empty.
@@ -108,8 +108,8 @@ Limits made_by_rows(Workers* workers, const Watching& watch, Rows rows, std::siz
             layer.spans.rows.insert(layer.spans.rows.end(), some.spans_.rows.begin(), some.spans_.rows.end());
         }
         layer.spans.store();
-        make_room(layer);
-        in_parts(layer.spans.cells < worth_threads ? nullptr : workers, blocks, watch, [&](int block, const Watching&) {
+        lay_out(layer, watch.store());
+        in_parts(layer.spans.cells < worth_threads ? nullptr : watch.workers(), blocks, watch, [&](int block, const Watch&) {
             LayerRows some = std::move(of(block)[k]);
             const auto begin = static_cast<std::ptrdiff_t>(begins[static_cast<std::size_t>(block)]);
             std::copy(some.low_.begin(), some.low_.end(), layer.low.begin() + begin);
@@ -163,7 +163,7 @@ void OuterLattice::room_for_clipped(const Limits& coarser, Limits& clipped) cons
             }
             if (span.empty()) span = {};
         }
-        make_room(mine);
+        lay_out(mine, store_);
     }
 }
 
@@ -201,7 +201,7 @@ Limits OuterLattice::within(const Pairs& pairs, const Limits& limits, Direction 
             all[k].spans.rows.push_back(both.empty() ? Span{} : both);
         }
     }
-    for (Layer& layer : all) make_room(layer);
+    for (Layer& layer : all) lay_out(layer, store_);
     in_blocks(workers_for(all), [] {}, rows_of({&all}), [&](Rows rows) {
         for (std::size_t k = 0; k < limits.size(); ++k) {
             const Layer& layer = limits[k];

@@ -46,13 +46,13 @@ std::size_t bytes_of(const ByCell<Of>& cells) {
 
 }  // namespace
 
-OuterMap::OuterMap(const ChartPlace& place, double h, const Watching& watch)
+OuterMap::OuterMap(const ChartPlace& place, double h, const Watch& watch)
     : sweeping_(Sweeping{OuterLattice(place, h, h, nullptr, watch), {}, {}}), grid_(sweeping_->lattice.grid()) {
     for (const Layer& layer : sweeping_->lattice.free()) spans_.push_back(layer.spans);
     for (const Direction direction : both_directions) sweeping_->logs.of(direction).resize(spans_.size());
 }
 
-bool OuterMap::sweep_on(const Watching& watch) {
+bool OuterMap::sweep_on(const Watch& watch) {
     if (complete_) return false;
     BothWays<Pairs>& now = sweeping_->now;
     const bool first = most_ < 0;
@@ -146,7 +146,7 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
 
 }  // namespace
 
-InnerMap::InnerMap(const ChartPlace& place, double h, const Watching& watch)
+InnerMap::InnerMap(const ChartPlace& place, double h, const Watch& watch)
     : place_(place), h_(h), sine_step_(h / (2.0 * place.radius)) {
     last_column_ = static_cast<int>(std::floor(steepest_sine / sine_step_));
     first_column_ = -last_column_;
@@ -178,7 +178,7 @@ InnerMap::InnerMap(const ChartPlace& place, double h, const Watching& watch)
     changed_.resize(nodes);
 }
 
-bool InnerMap::sweep_on(const Watching& watch) {
+bool InnerMap::sweep_on(const Watch& watch) {
     if (most() >= 0 && logs_.forward.back().empty() && logs_.backward.back().empty()) return false;
     const auto k = logs_.forward.size();
     for (const Direction direction : both_directions) {
@@ -208,7 +208,7 @@ void InnerMap::finish() {
     intervals_.shrink_to_fit();
 }
 
-std::vector<Band> InnerMap::measure_columns(const Watching& watch) {
+std::vector<Band> InnerMap::measure_columns(const Watch& watch) {
     std::vector<Band> parked;
     const double r = place_.radius;
     // One more on either side: steps are looked at before it is known that they stay in the chart.
@@ -288,7 +288,7 @@ InnerSet::Range InnerMap::known(Kind kind, int row, int column) const {
 }
 
 std::vector<InnerMap::Logged> InnerMap::sweep(const std::vector<Logged>& begins, Direction direction,
-                                              std::vector<InnerSet::Few>& sets, const Watching& watch) {
+                                              std::vector<InnerSet::Few>& sets, const Watch& watch) {
     std::vector<Logged> log;
     std::fill(changed_.begin(), changed_.end(), std::uint8_t{0});
     struct Part {

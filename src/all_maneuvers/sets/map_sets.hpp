@@ -39,10 +39,10 @@ struct ByCell {
 /// No maneuver has fewer changes. Swept level by level; look-ups know of those swept when it last settled.
 class OuterMap {
 public:
-    OuterMap(const ChartPlace& place, double h, const Watching& watch);
+    OuterMap(const ChartPlace& place, double h, const Watch& watch);
     explicit OuterMap(Unpacking& from) { from(*this); }
     /// One level more; false where that would hold nothing new.
-    bool sweep_on(const Watching& watch);
+    bool sweep_on(const Watch& watch);
     void settle();
     /// Settles, for no more will be swept.
     void finish();
@@ -93,9 +93,9 @@ struct Joining {
 /// A maneuver has so many changes. Swept like OuterMap.
 class InnerMap {
 public:
-    InnerMap(const ChartPlace& place, double h, const Watching& watch);
+    InnerMap(const ChartPlace& place, double h, const Watch& watch);
     InnerMap(const ChartPlace& place, Unpacking& from) : place_(place) { from(*this); }
-    bool sweep_on(const Watching& watch);
+    bool sweep_on(const Watch& watch);
     void settle();
     void finish();
     /// Levels swept, less one.
@@ -142,11 +142,11 @@ private:
         return row >= first_row_ + 2 && row <= last_row_ - 2 && column >= first_column_ && column <= last_column_;
     }
     [[nodiscard]] double x(int row) const { return row * (h_ / 2.0); }
-    std::vector<Band> measure_columns(const Watching& watch);  ///< returns where the car is parked
+    std::vector<Band> measure_columns(const Watch& watch);  ///< returns where the car is parked
     void measure(Kind kind, int column, const Bands& bands);
     [[nodiscard]] InnerSet::Range known(Kind kind, int row, int column) const;
     std::vector<Logged> sweep(const std::vector<Logged>& begins, Direction direction, std::vector<InnerSet::Few>& sets,
-                              const Watching& watch);
+                              const Watch& watch);
     /// What moves with so many changes reach, in that direction of leaving, and where they begin.
     template <class Do>
     void each_reached(Direction leaving, int row, int column, int changes, const Do& act) const;

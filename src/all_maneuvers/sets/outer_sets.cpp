@@ -6,7 +6,7 @@
 
 #include "all_maneuvers/sets/layer_builder.hpp"
 #include "all_maneuvers/sets/set_sweep.hpp"
-#include "all_maneuvers/sets/workers.hpp"
+#include "all_maneuvers/workers.hpp"
 #include "model/angles.hpp"
 
 namespace snug::detail::sets {
@@ -29,9 +29,13 @@ void sort_longest_first(std::vector<Interval>& intervals) {
               [](const Interval& a, const Interval& b) { return a.high - a.low > b.high - b.low; });
 }
 
-OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch,
-                           Workers* workers)
-    : h_(h), radius_(place.radius), sine_step_(h / (2.0 * place.radius)), start_(place.start), workers_(workers) {
+OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watch& watch)
+    : h_(h),
+      radius_(place.radius),
+      sine_step_(h / (2.0 * place.radius)),
+      start_(place.start),
+      workers_(watch.workers()),
+      store_(watch.store()) {
     x0_ = place.start.x - h0 / 3.0 + h / 2.0;
     sine0_ = angles::sin(place.start.heading);
     first_column_ = static_cast<int>(std::floor((-steepest_sine - sine0_) / sine_step_ - 1.0)) - 1;
@@ -125,11 +129,11 @@ void clear(Pairs& pairs, const Limits& limits, Rows rows) {
     }
 }
 
-void make_room(Pairs& pairs, const Limits& limits) {
+void lay_out(Pairs& pairs, const Limits& limits, const std::shared_ptr<NumberStore>& store) {
     pairs.layers.resize(limits.size());
     for (std::size_t k = 0; k < limits.size(); ++k) {
-        make_room(pairs.layers[k].z, limits[k].low.size());
-        make_room(pairs.layers[k].w, limits[k].low.size());
+        make_room(pairs.layers[k].z, limits[k].low.size(), store);
+        make_room(pairs.layers[k].w, limits[k].low.size(), store);
         pairs.layers[k].reached.first = limits[k].spans.first;
         pairs.layers[k].reached.rows.assign(limits[k].spans.rows.size(), {});
     }
@@ -238,9 +242,9 @@ void OuterLattice::turn(Rows rows, Pairs& pairs, const Limits& limits, Direction
     }
 }
 
-void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch,
+void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watch& watch,
                          const std::function<void(Rows)>& begin) const {
-    make_room(pairs, limits);
+    lay_out(pairs, limits, store_);
     const Numbers& of = numbers(direction);
     const bool forward = direction == Direction::forward;
     std::size_t updates = 0;
@@ -322,10 +326,10 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
 }
 
 BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,
-                           const Watching& watch) {
+                           const Watch& watch) {
     const Limits& limits = lattice.free();
     BothWays<Pairs> next;
-    in_parts(lattice.workers_for(limits), 2, watch, [&](int part, const Watching& watched) {
+    in_parts(lattice.workers_for(limits), 2, watch, [&](int part, const Watch& watched) {
         const Direction direction = both_directions[part];
         const Pairs* before = direction == Direction::forward ? last_backward : last_forward;
         Pairs pairs;

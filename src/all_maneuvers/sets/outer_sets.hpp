@@ -17,11 +17,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <new>
 #include <utility>
 #include <vector>
 
+#include "all_maneuvers/numbers.hpp"
 #include "all_maneuvers/sets/chart.hpp"
+#include "all_maneuvers/watch.hpp"
 #include "snug/maneuver.hpp"
 
 namespace snug::detail::sets {
@@ -50,10 +51,6 @@ void sort_longest_first(std::vector<Interval>& intervals);
 /// Of a heading in the chart with that sine.
 inline double cosine_of(double sine) { return std::sqrt((1.0 - sine) * (1.0 + sine)); }
 
-/// Looks whether time is up or the caller has had enough, and throws Stopped if so.
-using Watching = std::function<void()>;
-struct Stopped {};
-
 /// Cells `from` to `to` of a row.
 struct Span {
     int from = 0;
@@ -61,6 +58,7 @@ struct Span {
     std::size_t begin = 0;  ///< where they are stored
 
     [[nodiscard]] bool empty() const { return from > to; }
+    [[nodiscard]] bool holds(int cell) const { return from <= cell && cell <= to; }
     [[nodiscard]] std::size_t at(int cell) const { return begin + static_cast<std::size_t>(cell - from); }
 };
 
@@ -87,25 +85,9 @@ struct Spans {
 inline int cell_of(int d) { return d >> 1; }
 inline int column_of(int row, int cell) { return 2 * cell + (row & 1); }
 
-/// Leaves numbers as they are until they are written.
-template <class T>
-struct Unset : std::allocator<T> {
-    template <class U>
-    struct rebind {
-        using other = Unset<U>;
-    };
-    template <class U>
-    void construct(U* at) {
-        ::new (static_cast<void*>(at)) U;
-    }
-    template <class U, class... Args>
-    void construct(U* at, Args&&... args) {
-        ::new (static_cast<void*>(at)) U(std::forward<Args>(args)...);
-    }
-};
-using Micros = std::vector<Micro, Unset<Micro>>;
-/// For so many numbers that are about to be written; what they were is lost.
-void make_room(Micros& numbers, std::size_t count);
+using Micros = Numbers<Micro>;
+/// For so many that are about to be written; what they were is lost.
+void make_room(Micros& numbers, std::size_t count, const std::shared_ptr<NumberStore>& store);
 
 /// Intervals of y, at most one in a cell; low > high where there is none.
 struct Layer {
@@ -170,14 +152,11 @@ struct CellGrid {
     [[nodiscard]] Place place_of(const Pose& pose, Direction direction) const;
 };
 
-class Workers;
-
 class OuterLattice {
 public:
     /// Cells of side h, the start pose a third of h0 from the corner of one; h0 / h is a power of two. Only within what is
-    /// left of the lattice twice as coarse, if given. What is large is computed by workers, if there are any, who must outlive it.
-    OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watching& watch,
-                 Workers* workers = nullptr);
+    /// left of the lattice twice as coarse, if given. Workers must outlive it.
+    OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watch& watch);
 
     [[nodiscard]] double h() const { return h_; }
     [[nodiscard]] double x(int row) const { return x0_ + row * (h_ / 2.0); }
@@ -188,7 +167,7 @@ public:
 
     /// Everything a move reaches, beside limits. What it begins with is put there by `begin`, some rows at a time, perhaps on other
     /// threads; the limits of these rows are not looked at before. What the pairs held is lost, their memory is used again.
-    void sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watching& watch,
+    void sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watch& watch,
                const std::function<void(Rows rows)>& begin) const;
     /// Begins with places in intervals of y.
     void begin(Rows rows, Pairs& pairs, const Limits& limits, Direction direction, const Limits& places) const;
@@ -226,7 +205,7 @@ private:
     /// What stands for the cells given, in a row, is taken in by those of the limits that fit it.
     void offer(Pairs& pairs, const Limits& limits, Direction direction, int row, const Span& given, const Micro* z,
                const Micro* w) const;
-    void measure(const ChartPlace& place, const Layer* coarser, const Watching& watch);
+    void measure(const ChartPlace& place, const Layer* coarser, const Watch& watch);
     [[nodiscard]] const Numbers& numbers(Direction direction) const {
         return direction == Direction::forward ? forward_ : backward_;
     }
@@ -238,12 +217,13 @@ private:
     ColumnNumbers apart_;  ///< z - w is at least this
     Limits free_, parked_;
     Workers* workers_;
+    std::shared_ptr<NumberStore> store_;
     mutable std::size_t updates_[2] = {};  ///< of moves forward and backward
 };
 
 /// The moves with so many changes, one forward and one backward, from those with one less, if there are any. Nothing is clipped.
 BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forward, const Pairs* last_backward,
-                           const Watching& watch);
+                           const Watch& watch);
 bool same(const Pairs& one, const Pairs& two);
 
 }  // namespace snug::detail::sets

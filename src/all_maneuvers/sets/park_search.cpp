@@ -10,7 +10,7 @@
 #include "all_maneuvers/sets/inner_sets.hpp"
 #include "all_maneuvers/sets/map_sets.hpp"
 #include "all_maneuvers/sets/route.hpp"
-#include "all_maneuvers/sets/workers.hpp"
+#include "all_maneuvers/workers.hpp"
 #include "model/angles.hpp"
 #include "model/polygon.hpp"
 
@@ -44,7 +44,7 @@ struct Counted {
     bool impossible = false;  ///< they never will
     BothWays<Pairs> sets;     ///< with none, with one, and so on, if they fit
 };
-Counted count_from_below(const OuterLattice& lattice, int most, const Watching& watch) {
+Counted count_from_below(const OuterLattice& lattice, int most, const Watch& watch) {
     Counted counted;
     auto& [forward, backward] = counted.sets;
     for (; counted.changes <= most; ++counted.changes) {
@@ -89,12 +89,12 @@ Layer hull_of(const BothWays<Limits>& moves) {
 
 /// From what is left of the lattice twice as coarse to what is left of this one; nothing when the start is out of reach.
 /// Throws TooLarge when it is not, but what is left cannot be kept.
-std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds& bounds, const Watching& watch) {
+std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds& bounds, const Watch& watch) {
     const double h = left.h / 2.0;
     const std::size_t moves = left.moves.forward.size();
     // Each cell has four children. What is free in them, and two moves each way, are held beside what is kept.
     if (4 * bytes_of(left.hull_of_all) > most_bytes / 2) throw TooLarge{};
-    const OuterLattice lattice(question.place, h, question.coarsest, &left.hull_of_all, watch, question.workers);
+    const OuterLattice lattice(question.place, h, question.coarsest, &left.hull_of_all, watch);
     BothWays<Limits>& limits = left.moves;
     /// A move of either direction, and that before it.
     struct Move {
@@ -186,31 +186,34 @@ ChartPlace near_both(const ChartPlace& place, const Pose& one, const Pose& other
 /// Looks for ways with as many changes as the moves that are left allow.
 class WaySearch {
 public:
-    WaySearch(const ChartPlace& place, double h0, const Left& left, Workers* workers, const Watching& watch,
+    WaySearch(const ChartPlace& place, double h0, const Left& left, const Watch& watch,
               std::size_t& updates)
-        : place_(place), h0_(h0), left_(left), workers_(workers), watch_(watch), updates_(updates) {}
+        : place_(place), h0_(h0), left_(left), watch_(watch), updates_(updates) {}
 
     /// Any that can be driven; empty if none is found.
     std::vector<Path> any() {
-        // What is met between nodes shrinks for a car that is a little larger.
-        const std::vector<double> larger = {0.0, left_.h / 32.0, left_.h / 8.0, left_.h / 4.0, left_.h / 2.0};
-        const auto at_once = static_cast<std::size_t>(count_of(workers_));
+        // What is met between nodes shrinks for a car that is a little larger; mostly none gets through, and one tells.
+        const std::vector<std::vector<double>> larger = {
+            {0.0}, {left_.h / 32.0, left_.h / 8.0}, {left_.h / 4.0, left_.h / 2.0}};
         for (const Direction last : both_directions) {
             if (holds_nothing(left_.moves.of(last).back())) continue;
             bool gets_through = true;
-            for (std::size_t first = 0; first < larger.size() && gets_through; first += at_once) {
-                std::vector<std::optional<Found>> found(std::min(at_once, larger.size() - first));
-                in_parts(workers_, static_cast<int>(found.size()), watch_, [&](int i, const Watching& watched) {
-                    const auto at = static_cast<std::size_t>(i);
-                    found[at] = looked_for(larger[first + at], last, watched);
-                });
-                for (std::size_t i = 0; i < found.size() && gets_through; ++i) {
+            for (const std::vector<double>& some : larger) {
+                std::vector<std::optional<Found>> found(some.size());
+                const auto look = [&](int i, const Watch& watch) {
+                    found[static_cast<std::size_t>(i)] = looked_for(some[static_cast<std::size_t>(i)], last, watch);
+                };
+                if (watch_.workers()) in_parts(watch_.workers(), static_cast<int>(some.size()), watch_, look);
+                for (std::size_t i = 0; i < some.size() && gets_through; ++i) {
+                    if (!found[i]) look(static_cast<int>(i), watch_);
                     updates_ += found[i]->lattice.updates;
                     gets_through = found[i]->gets_through;
                     if (!gets_through) break;
                     std::vector<Path> way = drivable(*found[i]);
                     if (!way.empty()) return way;
+                    found[i].reset();
                 }
+                if (!gets_through) break;
             }
         }
         return {};
@@ -287,7 +290,7 @@ private:
         return found;
     }
 
-    Found looked_for(double grown, Direction last, const Watching& watch) const {
+    Found looked_for(double grown, Direction last, const Watch& watch) const {
         const ChartPlace place = with_grown_car(place_, grown);
         Found found{grown, InnerLattice(place, left_.h, h0_, left_.hull_of_all, watch), {}, false};
         const std::size_t moves = left_.moves.forward.size();
@@ -334,14 +337,13 @@ private:
     ChartPlace place_;
     double h0_;
     const Left& left_;
-    Workers* workers_;
-    const Watching& watch_;
+    const Watch& watch_;
     std::size_t& updates_;
 };
 
 /// The fewest changes along the lattice of upper bounds, up to `most`, whatever is met between its nodes.
 std::optional<int> changes_along(const ChartPlace& place, double h, double h0, const Limits& limits, int most,
-                                 const Watching& watch, std::size_t& updates) {
+                                 const Watch& watch, std::size_t& updates) {
     const Layer cells = hull({&limits});
     InnerLattice lattice(place, h, h0, cells, watch);
     BothWays<InnerSet> now;
@@ -363,7 +365,7 @@ constexpr double most_map_cells = 3e5;  ///< about 500 bytes each
 
 /// The way that a map of the place has from the start (map_sets.hpp): seldom the one with the fewest changes, but a map has one
 /// where the arcs between the nodes of as coarse a lattice of sets meet something. Empty if it has none with at most so many.
-std::vector<Path> way_on_map(const ChartPlace& place, double h, int most, const Watching& watch) {
+std::vector<Path> way_on_map(const ChartPlace& place, double h, int most, const Watch& watch) {
     const double cells = (place.x_max - place.x_min) * 2.0 * place.radius / (h * h);
     if (cells > most_map_cells) return {};
     InnerMap map(place, h, watch);
@@ -423,10 +425,10 @@ std::vector<ChartPlace> better_parked(const ChartPlace& place, double h) {
 }
 
 /// Of the ways with as many changes as are left one that ends well and keeps a distance; empty if none is found.
-std::vector<Path> way_to_drive(const ParkQuestion& question, const Left& left, const Watching& watch,
+std::vector<Path> way_to_drive(const ParkQuestion& question, const Left& left, const Watch& watch,
                                std::size_t& updates) {
     for (const ChartPlace& place : better_parked(question.place, left.h)) {
-        std::vector<Path> way = WaySearch(place, question.coarsest, left, question.workers, watch, updates).roomiest();
+        std::vector<Path> way = WaySearch(place, question.coarsest, left, watch, updates).roomiest();
         if (!way.empty() && is_drivable(question.place, way)) return way;
     }
     return {};
@@ -461,13 +463,13 @@ bool worth_a_change(const ParkQuestion& question, const std::vector<Path>& one, 
 
 }  // namespace
 
-void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& watch) {
+void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watch& watch) {
     if (is_parked(question.place, question.place.start)) {
         bounds.upper = 0;  // there is nothing to do
         return;
     }
     const double h0 = question.coarsest;
-    const OuterLattice lattice(question.place, h0, h0, nullptr, watch, question.workers);
+    const OuterLattice lattice(question.place, h0, h0, nullptr, watch);
     int looks_at_slot = question.slot ? 0 : most_looks_at_slot;
     bool found_elsewhere = false;  ///< the way, so no lattice of sets has it yet
     const auto take_from_elsewhere = [&](std::vector<Path> way) {
@@ -506,7 +508,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         if (h < h0) ask_slot();
         if (bounds.meet() || bounds.lower > question.max_changes) break;
         std::optional<OuterLattice> finer;
-        if (h < h0) finer.emplace(question.place, h, h0, nullptr, watch, question.workers);
+        if (h < h0) finer.emplace(question.place, h, h0, nullptr, watch);
         const OuterLattice& here = finer ? *finer : lattice;
         Counted counted = count_from_below(here, question.max_changes, watch);
         bounds.updates += here.take_updates();
@@ -557,7 +559,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
         return left;
     };
     const auto try_way = [&](const Left& left) {
-        std::vector<Path> way = WaySearch(question.place, h0, left, question.workers, watch, bounds.updates).any();
+        std::vector<Path> way = WaySearch(question.place, h0, left, watch, bounds.updates).any();
         if (way.empty()) return false;
         const int changes = changes_of(way);
         if (!bounds.upper || changes < *bounds.upper || found_elsewhere) {
@@ -645,7 +647,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& wa
             // None found with as few as the lower bound: how many may it take?
             int changes = bounds.lower + 1;
             if ((!bounds.upper || found_elsewhere) && h > 0.3 * h0) {
-                const OuterLattice all(question.place, h, h0, nullptr, watch, question.workers);
+                const OuterLattice all(question.place, h, h0, nullptr, watch);
                 const int most = std::min(question.max_changes, bounds.lower + far_above);
                 changes = std::max(
                     changes,

@@ -18,7 +18,6 @@ struct ParkQuestion {
     double coarsest = 0.08, finest = 0.01;  ///< spacings, a power of two apart [m]
     int finer = 0;  ///< how many times the finest is halved where so little is left that this is soon done
     bool roomiest = true;
-    Workers* workers = nullptr;  ///< if there are any
 };
 
 /// What is known. It only ever gets better, so that it can be used whenever the search is given up.
@@ -34,7 +33,7 @@ struct ParkBounds {
     [[nodiscard]] bool meet() const { return impossible || (upper && *upper == lower); }
 };
 
-/// Narrows the bounds until they meet or the finest lattice is done. Throws Stopped.
-void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watching& watch);
+/// Narrows the bounds until they meet or the finest lattice is done. Throws GivenUp.
+void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watch& watch);
 
 }  // namespace snug::detail::sets

@@ -191,7 +191,7 @@ constexpr double finest_part = 1e-4, finest_way = 1e-4;  ///< of the car's lengt
 /// Ways in one move, or in two, from the start to where a way into the slot begins, or to a place farther out from there.
 class Connection {
 public:
-    Connection(const ChartPlace& place, const std::vector<Path>& into_slot, int most, const Watching& watch)
+    Connection(const ChartPlace& place, const std::vector<Path>& into_slot, int most, const Watch& watch)
         : place_(place), into_slot_(into_slot), most_(most), watch_(watch) {}
 
     std::vector<Path> best() {
@@ -246,7 +246,7 @@ private:
     const ChartPlace& place_;
     const std::vector<Path>& into_slot_;
     int most_;
-    const Watching& watch_;
+    const Watch& watch_;
     double length_ = 0.0;
     std::vector<Path> best_;
 };
@@ -260,8 +260,7 @@ std::optional<SlotInPlace> slot_in(const Car& car, const Place& place, const Pos
     return std::nullopt;
 }
 
-int SlotInPlace::lower(int most, double most_cells, const Watching& watching) const {
-    const Watch watch([&] { watching(); });
+int SlotInPlace::lower(int most, double most_cells, const Watch& watch) const {
     const Problem problem = loosened(*this);
     Pose here = slot.to_slot(start);
     here.x -= rounding;
@@ -293,8 +292,7 @@ int SlotInPlace::lower(int most, double most_cells, const Watching& watching) co
     return fewest;
 }
 
-std::vector<Path> SlotInPlace::from_mouth(int most, const Watching& watching) const {
-    const Watch watch([&] { watching(); });
+std::vector<Path> SlotInPlace::from_mouth(int most, const Watch& watch) const {
     Driving keeping = driving;
     keeping.clearance += 1e-6;  // so that no corner begins at another one
     LeavingQuestion question = entering_question(car, slot, keeping, parked);
@@ -319,7 +317,7 @@ std::vector<Path> SlotInPlace::from_mouth(int most, const Watching& watching) co
 }
 
 std::vector<Path> from_start(const ChartPlace& place, const std::vector<Path>& from_mouth, int most,
-                             const Watching& watch) {
+                             const Watch& watch) {
     return Connection(place, from_mouth, most, watch).best();
 }
 

@@ -27,14 +27,14 @@ struct SlotInPlace {
 
     /// No maneuver from the start that stays in the chart has fewer changes than that. It looks no further than at `most`, and
     /// then says one more, and its lattices have at most so many cells.
-    [[nodiscard]] int lower(int most, double most_cells, const Watching& watch) const;
+    [[nodiscard]] int lower(int most, double most_cells, const Watch& watch) const;
     /// A way from the slot's mouth with at most so many changes, in the chart, whatever stands there; empty if none is found.
-    [[nodiscard]] std::vector<Path> from_mouth(int most, const Watching& watch) const;
+    [[nodiscard]] std::vector<Path> from_mouth(int most, const Watch& watch) const;
 };
 
 /// A way from the start that goes on as one from the mouth does, with at most so many changes; empty if none is found.
 std::vector<Path> from_start(const ChartPlace& place, const std::vector<Path>& from_mouth, int most,
-                             const Watching& watch);
+                             const Watch& watch);
 
 /// If the car is to park in a rectangle, parallel to a curb behind it and beside a neighbour, both as long as the region.
 std::optional<SlotInPlace> slot_in(const Car& car, const Place& place, const Pose& start, double clearance,

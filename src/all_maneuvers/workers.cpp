@@ -1,6 +1,16 @@
-#include "all_maneuvers/sets/workers.hpp"
+#include "all_maneuvers/workers.hpp"
 
-#ifndef __EMSCRIPTEN__
+#ifdef __EMSCRIPTEN__
+
+namespace snug::detail {
+
+struct Workers::Crew {};
+Workers::~Workers() = default;
+std::unique_ptr<Workers> workers_for(int) { return nullptr; }
+
+}  // namespace snug::detail
+
+#else
 
 #include <atomic>
 #include <condition_variable>
@@ -10,9 +20,9 @@
 #include <thread>
 #include <vector>
 
-namespace snug::detail::sets {
+namespace snug::detail {
 
-using Work = std::function<void(int, const Watching&)>;
+using Work = std::function<void(int, const Watch&)>;
 
 namespace {
 
@@ -27,7 +37,8 @@ void soon(const Has& has_come) {
 struct Workers::Crew {
     std::mutex mutex;
     std::condition_variable begin, end;
-    const Work* work = nullptr;  ///< that is open to whoever has time
+    const Work* work = nullptr;    ///< that is open to whoever has time
+    const Watch* watch = nullptr;  ///< of the thread that asks
     std::atomic<unsigned> jobs{0};  ///< begun so far
     std::atomic<int> at_work{0};    ///< threads other than the one that asks
     bool over = false;
@@ -38,11 +49,11 @@ struct Workers::Crew {
     std::exception_ptr trouble;
     std::vector<std::thread> threads;
 
-    void do_parts(const Work& what, const Watching& watch) {
+    void do_parts(const Work& what, const Watch& looks) {
         try {
             for (int part = next++; part < parts; part = next++) {
-                watch();
-                what(part, watch);
+                looks();
+                what(part, looks);
             }
         } catch (...) {
             const std::lock_guard lock(mutex);
@@ -51,9 +62,6 @@ struct Workers::Crew {
     }
 
     void stay() {
-        const Watching watch = [this] {
-            if (given_up) throw Stopped{};
-        };
         std::unique_lock lock(mutex);
         for (unsigned seen = 0;;) {
             lock.unlock();
@@ -63,9 +71,12 @@ struct Workers::Crew {
             if (over) return;
             seen = jobs;
             const Work& what = *work;
+            const Watch mine = watch->with([this] {
+                if (given_up) throw GivenUp{};
+            });
             ++at_work;
             lock.unlock();
-            do_parts(what, watch);
+            do_parts(what, mine);
             lock.lock();
             if (--at_work == 0) end.notify_one();
         }
@@ -89,9 +100,13 @@ Workers::~Workers() {
     for (std::thread& thread : crew_->threads) thread.join();
 }
 
+std::unique_ptr<Workers> workers_for(int threads) {
+    return threads == 1 ? nullptr : std::make_unique<Workers>(threads);
+}
+
 int Workers::count() const { return static_cast<int>(crew_->threads.size()) + 1; }
 
-void Workers::share(int parts, const Watching& watch, const Work& work) {
+void Workers::share(int parts, const Watch& watch, const Work& work) {
     Crew& crew = *crew_;
     if (crew.shared || crew.threads.empty()) {
         for (int part = 0; part < parts; ++part) {
@@ -104,6 +119,7 @@ void Workers::share(int parts, const Watching& watch, const Work& work) {
         const std::lock_guard lock(crew.mutex);
         crew.shared = true;
         crew.work = &work;
+        crew.watch = &watch;
         crew.parts = parts;
         crew.next = 0;
         crew.given_up = false;
@@ -122,7 +138,7 @@ void Workers::share(int parts, const Watching& watch, const Work& work) {
     if (crew.trouble) std::rethrow_exception(crew.trouble);
 }
 
-void Workers::share_in_order(int steps, const Watching& watch, const std::function<void(int)>& prepare,
+void Workers::share_in_order(int steps, const Watch& watch, const std::function<void(int)>& prepare,
                              const std::function<void(int)>& take) {
     std::vector<std::atomic<bool>> prepared(static_cast<std::size_t>(steps));
     std::atomic<int> next{0};
@@ -144,7 +160,7 @@ void Workers::share_in_order(int steps, const Watching& watch, const std::functi
         return true;
     };
     // One thread takes, and helps where nothing is to be taken yet; the others prepare.
-    share(count(), watch, [&](int part, const Watching& watched) {
+    share(count(), watch, [&](int part, const Watch& watched) {
         if (part > 0) {
             while (prepare_next()) watched();
             return;
@@ -153,12 +169,12 @@ void Workers::share_in_order(int steps, const Watching& watch, const std::functi
             watched();
             while (!is_prepared(step))
                 if (!prepare_next()) is_prepared(step).wait(false);
-            if (failed) throw Stopped{};
+            if (failed) throw GivenUp{};
             take(step);
         }
     });
 }
 
-}  // namespace snug::detail::sets
+}  // namespace snug::detail
 
 #endif

@@ -4,9 +4,9 @@
 #include <functional>
 #include <memory>
 
-#include "all_maneuvers/sets/outer_sets.hpp"
+#include "all_maneuvers/watch.hpp"
 
-namespace snug::detail::sets {
+namespace snug::detail {
 
 /// Of one search, on whose thread they are asked for work.
 class Workers {
@@ -21,10 +21,10 @@ public:
     /// Does every part from 0 to before `parts`, in any order and at the same time; the thread that asks does some, too, and is
     /// the only one that watches: `work` is told how to on whatever thread it is. What is thrown ends it. Within a part
     /// everything is done by the thread that does it.
-    void share(int parts, const Watching& watch, const std::function<void(int part, const Watching& watch)>& work);
+    void share(int parts, const Watch& watch, const std::function<void(int part, const Watch& watch)>& work);
 
     /// Prepares steps 0 to before `steps` in any order and at the same time, and takes each in order once it is prepared.
-    void share_in_order(int steps, const Watching& watch, const std::function<void(int step)>& prepare,
+    void share_in_order(int steps, const Watch& watch, const std::function<void(int step)>& prepare,
                         const std::function<void(int step)>& take);
 
 private:
@@ -32,9 +32,12 @@ private:
     std::unique_ptr<Crew> crew_;
 };
 
+/// None for one thread.
+std::unique_ptr<Workers> workers_for(int threads);
+
 /// The same; one after the other if there are no workers.
 template <class Work>
-void in_parts([[maybe_unused]] Workers* workers, int parts, const Watching& watch, const Work& work) {
+void in_parts([[maybe_unused]] Workers* workers, int parts, const Watch& watch, const Work& work) {
 #ifndef __EMSCRIPTEN__
     if (workers && parts > 1) return workers->share(parts, watch, work);
 #endif
@@ -44,14 +47,8 @@ void in_parts([[maybe_unused]] Workers* workers, int parts, const Watching& watc
     }
 }
 
-inline int count_of([[maybe_unused]] const Workers* workers) {
-#ifndef __EMSCRIPTEN__
-    if (workers) return workers->count();
-#endif
-    return 1;
-}
 template <class Prepare, class Take>
-void in_order([[maybe_unused]] Workers* workers, int steps, const Watching& watch, const Prepare& prepare,
+void in_order([[maybe_unused]] Workers* workers, int steps, const Watch& watch, const Prepare& prepare,
               const Take& take) {
 #ifndef __EMSCRIPTEN__
     if (workers && steps > 1) return workers->share_in_order(steps, watch, prepare, take);
@@ -63,4 +60,4 @@ void in_order([[maybe_unused]] Workers* workers, int steps, const Watching& watc
     }
 }
 
-}  // namespace snug::detail::sets
+}  // namespace snug::detail
