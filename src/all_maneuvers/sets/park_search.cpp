@@ -42,9 +42,9 @@ bool fit(const OuterLattice& lattice, int changes) {
 struct Counted {
     int changes = 0;          ///< more than `most` when they do not
     bool impossible = false;  ///< they never will
-    BothWays<Pairs> sets;     ///< with none, with one, and so on, if they fit
+    BothWays<Pairs> sets;     ///< with none, with one, and so on, if they are to be kept and fit
 };
-Counted count_from_below(const OuterLattice& lattice, int most, const Watch& watch) {
+Counted count_from_below(const OuterLattice& lattice, int most, bool keep, const Watch& watch) {
     Counted counted;
     auto& [forward, backward] = counted.sets;
     for (; counted.changes <= most; ++counted.changes) {
@@ -53,7 +53,7 @@ Counted count_from_below(const OuterLattice& lattice, int most, const Watch& wat
             next_moves(lattice, first ? nullptr : &forward.back(), first ? nullptr : &backward.back(), watch);
         counted.impossible =
             !first && same(next.forward.back(), forward.back()) && same(next.backward.back(), backward.back());
-        if (!fit(lattice, counted.changes)) forward.clear(), backward.clear();
+        if (!keep || !fit(lattice, counted.changes)) forward.clear(), backward.clear();
         bool reached = false;
         for (const Direction direction : both_directions) {
             reached = reached || lattice.holds_start(next.of(direction).back(), lattice.free(), direction);
@@ -61,7 +61,7 @@ Counted count_from_below(const OuterLattice& lattice, int most, const Watch& wat
         }
         if (reached || counted.impossible) break;
     }
-    if (!fit(lattice, counted.changes)) counted.sets = {};
+    if (!keep || !fit(lattice, counted.changes)) counted.sets = {};
     if (counted.impossible) counted.changes = most + 1;
     return counted;
 }
@@ -510,7 +510,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watch& watch
         std::optional<OuterLattice> finer;
         if (h < h0) finer.emplace(question.place, h, h0, nullptr, watch);
         const OuterLattice& here = finer ? *finer : lattice;
-        Counted counted = count_from_below(here, question.max_changes, watch);
+        Counted counted = count_from_below(here, question.max_changes, h == h0, watch);
         bounds.updates += here.take_updates();
         bounds.spacing = h;
         bounds.lower = std::max(bounds.lower, counted.changes);
@@ -583,7 +583,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watch& watch
     const auto keep = [&](int changes, Left left) {
         std::size_t bytes = bytes_of(left);
         for (const auto& [of, other] : kept) bytes += bytes_of(other);
-        if (bytes <= most_bytes / 4) kept.emplace(changes, std::move(left));
+        if (bytes <= most_bytes / 8) kept.emplace(changes, std::move(left));
     };
     const auto driven_at = [&](int changes, double h) {
         try {
