@@ -106,16 +106,24 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
         now.of(direction).resize(1);
         before.of(direction).resize(1);
     }
+    /// Drives move k both ways, at the same time where there is about as much to do.
+    const auto drive = [&](std::size_t k, const auto& one_way) {
+        const std::size_t forward = bytes_of(limits.forward[k]), backward = bytes_of(limits.backward[k]);
+        const bool balanced = 2 * std::min(forward, backward) > std::max(forward, backward);
+        in_parts(balanced ? watch.workers() : nullptr, 2, watch, [&](int part, const Watch& watched) {
+            const Direction direction = both_directions[part];
+            one_way(direction, now.of(direction).front(), before.of(other(direction)).front(), watched);
+        });
+        std::swap(now, before);
+    };
     // Outward from the parked poses.
     std::size_t bytes = bytes_of(lattice.free());
     bool all_kept = true;
     for (std::size_t k = 0; k < moves; ++k) {
-        for (const Direction direction : both_directions) {
-            const Move& last = before.of(other(direction)).front();
+        drive(k, [&](Direction direction, Move& move, const Move& last, const Watch& watched) {
             Limits& mine = limits.of(direction)[k];
-            Move& move = now.of(direction).front();
             lattice.room_for_clipped(mine, move.limits);
-            lattice.sweep(move.pairs, move.limits, direction, watch, [&](Rows rows) {
+            lattice.sweep(move.pairs, move.limits, direction, watched, [&](Rows rows) {
                 lattice.clip(rows, mine, move.limits);
                 if (k == 0) {
                     lattice.begin(rows, move.pairs, move.limits, direction, lattice.parked());
@@ -124,8 +132,7 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
                 }
             });
             mine = lattice.within(move.pairs, move.limits, direction);
-        }
-        std::swap(now, before);
+        });
         for (const Direction direction : both_directions) {
             const std::size_t of_move = bytes_of(limits.of(direction)[k]);
             bytes += of_move;
@@ -144,12 +151,10 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
     if (!all_kept) throw TooLarge{};
     // Then from the start. Driving forward when leaving is driving backward when parking, and move k is the last but k.
     for (std::size_t k = moves; k-- > 0;) {
-        for (const Direction direction : both_directions) {
-            const Move& last = before.of(other(direction)).front();
+        drive(k, [&](Direction direction, Move& move, const Move& last, const Watch& watched) {
             Limits& mine = limits.of(other(direction))[k];
-            Move& move = now.of(direction).front();
             move.limits = std::move(mine);
-            lattice.sweep(move.pairs, move.limits, direction, watch, [&](Rows rows) {
+            lattice.sweep(move.pairs, move.limits, direction, watched, [&](Rows rows) {
                 if (k + 1 == moves) {
                     lattice.begin_at_start(rows, move.pairs, move.limits, direction);
                 } else {
@@ -157,8 +162,7 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
                 }
             });
             mine = lattice.within(move.pairs, move.limits, direction);
-        }
-        std::swap(now, before);
+        });
     }
     bounds.updates += lattice.take_updates();
     left.h = h;
