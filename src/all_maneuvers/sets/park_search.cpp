@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "all_maneuvers/sets/few_pieces.hpp"
@@ -196,29 +197,21 @@ public:
 
     /// Any that can be driven; empty if none is found.
     std::vector<Path> any() {
-        // What is met between nodes shrinks for a car that is a little larger; mostly none gets through, and one tells.
-        const std::vector<std::vector<double>> larger = {
-            {0.0}, {left_.h / 32.0, left_.h / 8.0}, {left_.h / 4.0, left_.h / 2.0}};
-        for (const Direction last : both_directions) {
-            if (holds_nothing(left_.moves.of(last).back())) continue;
-            bool gets_through = true;
-            for (const std::vector<double>& some : larger) {
-                std::vector<std::optional<Found>> found(some.size());
-                const auto look = [&](int i, const Watch& watch) {
-                    found[static_cast<std::size_t>(i)] = looked_for(some[static_cast<std::size_t>(i)], last, watch);
-                };
-                if (watch_.workers()) in_parts(watch_.workers(), static_cast<int>(some.size()), watch_, look);
-                for (std::size_t i = 0; i < some.size() && gets_through; ++i) {
-                    if (!found[i]) look(static_cast<int>(i), watch_);
-                    updates_ += found[i]->lattice.updates;
-                    gets_through = found[i]->gets_through;
-                    if (!gets_through) break;
-                    std::vector<Path> way = drivable(*found[i]);
-                    if (!way.empty()) return way;
-                    found[i].reset();
-                }
-                if (!gets_through) break;
+        std::vector<Look> looks;
+        for (const Direction last : both_directions)
+            if (!holds_nothing(left_.moves.of(last).back())) looks.push_back({0.0, last});
+        look_ahead(looks);
+        for (Look& look : looks) {
+            // What is met between nodes shrinks for a car that is a little larger.
+            std::vector<Look> larger;
+            for (const double part : {32.0, 8.0, 4.0, 2.0}) larger.push_back({left_.h / part, look.last});
+            std::vector<Path> way;
+            bool gets_through = gets_there(look, way);
+            for (std::size_t i = 0; i < larger.size() && gets_through && way.empty(); ++i) {
+                if (i % 2 == 0) look_ahead({larger.data() + i, 2});
+                gets_through = gets_there(larger[i], way);
             }
+            if (!way.empty()) return way;
         }
         return {};
     }
@@ -280,6 +273,34 @@ private:
         bool gets_through = false;
     };
 
+    /// Lattices that are likely to be asked for.
+    struct Look {
+        double grown;
+        Direction last;
+        std::optional<Found> found = {};
+    };
+    /// Computes them at the same time if there are workers; else they are computed when they are asked for.
+    void look_ahead(std::span<Look> looks) {
+        if (!watch_.workers()) return;
+        in_parts(watch_.workers(), static_cast<int>(looks.size()), watch_, [&](int i, const Watch& watch) {
+            Look& look = looks[static_cast<std::size_t>(i)];
+            look.found = looked_for(look.grown, look.last, watch);
+        });
+    }
+    Found& found_by(Look& look) {
+        if (!look.found) look.found = looked_for(look.grown, look.last, watch_);
+        updates_ += look.found->lattice.updates;
+        return *look.found;
+    }
+    /// Whether the car gets to the start along the lattice; and how, if that can be driven.
+    bool gets_there(Look& look, std::vector<Path>& way) {
+        const Found& found = found_by(look);
+        const bool gets_through = found.gets_through;
+        if (gets_through) way = drivable(found);
+        look.found.reset();
+        return gets_through;
+    }
+
     std::optional<Found> find_either(double grown) {
         for (const Direction last : both_directions)
             if (std::optional<Found> found = find(grown, last)) return found;
@@ -288,10 +309,9 @@ private:
 
     std::optional<Found> find(double grown, Direction last) {
         if (holds_nothing(left_.moves.of(last).back())) return std::nullopt;
-        std::optional<Found> found = looked_for(grown, last, watch_);
-        updates_ += found->lattice.updates;
-        if (!found->gets_through) found.reset();
-        return found;
+        Look look{grown, last};
+        if (!found_by(look).gets_through) return std::nullopt;
+        return std::move(look.found);
     }
 
     Found looked_for(double grown, Direction last, const Watch& watch) const {
