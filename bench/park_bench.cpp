@@ -93,9 +93,9 @@ void sweep(benchmark::State& state, const Case& c, double spacing) {
     const OuterLattice lattice(place, spacing, spacing, nullptr, [] {});
     Pairs pairs;
     for (auto _ : state) {
-        lattice.sweep(pairs, lattice.free(), Direction::forward, [] {}, [&](Rows rows) {
-            lattice.begin_at_start(rows, pairs, lattice.free(), Direction::forward);
-        });
+        lattice.sweep(
+            pairs, lattice.free(), Direction::forward, [] {},
+            [&](Rows rows) { lattice.begin_at_start(rows, pairs, lattice.free(), Direction::forward); });
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(static_cast<std::int64_t>(lattice.take_updates()));
@@ -149,9 +149,10 @@ void next_maneuver(benchmark::State& state, const Case& c) {
         benchmark::RegisterBenchmark(("park/proved/" + c.name).c_str(), [c](benchmark::State& state) {
             proved(state, c, 1);
         })->Unit(benchmark::kMillisecond);
-        benchmark::RegisterBenchmark(("park/proved-on-two-threads/" + c.name).c_str(), [c](benchmark::State& state) {
-            proved(state, c, 2);
-        })->Unit(benchmark::kMillisecond)->UseRealTime();
+        benchmark::RegisterBenchmark(("park/proved-on-two-threads/" + c.name).c_str(),
+                                     [c](benchmark::State& state) { proved(state, c, 2); })
+            ->Unit(benchmark::kMillisecond)
+            ->UseRealTime();
         benchmark::RegisterBenchmark(("park/whole/" + c.name).c_str(), [c](benchmark::State& state) {
             whole(state, c);
         })->Unit(benchmark::kMillisecond);

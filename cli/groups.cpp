@@ -296,7 +296,8 @@ std::optional<PictureFile> picture_file(const Option<std::string>& draw, const O
 }
 
 Option<int> threads_option(Options& options, const std::string& otherwise) {
-    return options.whole_number("--threads", "N", "At most that many threads, 1 to 1024" + otherwise + ".", 1, limits::most_threads);
+    return options.whole_number("--threads", "N", "At most that many threads, 1 to 1024" + otherwise + ".", 1,
+                                limits::most_threads);
 }
 
 int exit_code(const Answer& answer) {

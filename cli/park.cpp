@@ -173,7 +173,8 @@ SearchOptions::SearchOptions(Options& options, const std::string& finest)
     : max_changes(options.whole_number("--max-changes", "N", "At most that many direction changes (200).", 0,
                                        limits::most_changes_fewest)),
       resolution(resolution_option(options, finest, "Finest")),
-      time_limit(time_limit_option(options, "End")) {}
+      time_limit(time_limit_option(options, "End")),
+      threads(threads_option(options, " (all cores)")) {}
 
 ParkFileOptions::ParkFileOptions(Options& options)
     : output(options), draw(draw_option(options)), waypoints(options), trajectory(options) {}

@@ -49,11 +49,13 @@ struct SearchOptions {
         asked.max_changes = max_changes.value_or(asked.max_changes);
         asked.resolution = resolution.value_or(asked.resolution);
         asked.time_limit = time_limit.value_or(asked.time_limit);
+        if constexpr (requires { asked.threads; }) asked.threads = threads.value_or(0);
     }
 
     Option<int> max_changes;
     Option<double> resolution;
     Option<double> time_limit;
+    Option<int> threads;
 };
 
 /// --steer.

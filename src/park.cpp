@@ -40,7 +40,7 @@ void check(const ParkOptions& options) {
     check_between("maximum of direction changes", options.max_changes, 0.0, limits::most_changes_fewest, "");
     check_between("clearance", options.clearance, 0.0, limits::longest, " m");
     check_between("resolution", options.resolution, 0.0, limits::longest, " m");
-    check_between("number of threads", options.threads, 0.0, limits::most_threads, "");
+    check_between("threads", options.threads, 0.0, limits::most_threads, "");
     check_between("time limit", options.time_limit, 0.0, std::numeric_limits<double>::infinity(), " s");
 }
 

@@ -214,8 +214,8 @@ void define_park(py::module_& module) {
         "park(car: Car, place: Street | Scene, start: " + pose_type +
             " | None = None, *, max_changes: int = 200, clearance: float = 0.0, resolution: float = 0.0, time_limit: "
             "float | None = None, roomiest: bool = True, steer: " +
-            literal<Steer>() + " = 'standing', steering_rate: float = 0.5, " + search_progress_parameter +
-            ") -> ParkAnswer | RollingAnswer",
+            literal<Steer>() + " = 'standing', steering_rate: float = 0.5, threads: int = 0, " +
+            search_progress_parameter + ") -> ParkAnswer | RollingAnswer",
         "From `start`, a Pose in the world, into a Street or a Scene with the fewest direction changes, whatever way "
         "the\n"
         "car is steered, with proof. Returns a ParkAnswer.\n\n"
@@ -226,7 +226,8 @@ void define_park(py::module_& module) {
         "where that takes seconds; `time_limit`\n"
         "[s] ends with the bounds found so far; `roomiest=False` takes any maneuver with that many changes. `progress` "
         "is\n"
-        "told a FewestProgress; returning False ends with the bounds found so far.\n\n"
+        "told a FewestProgress; returning False ends with the bounds found so far. Runs on all cores, or on so many\n"
+        "`threads`.\n\n"
         "With steer='moving' the steering turns, at its `steering_rate` [rad/s], only while the car rolls: a "
         "RollingAnswer.\n",
         [](const Arguments& given) -> py::object {
@@ -243,6 +244,8 @@ void define_park(py::module_& module) {
             given.read("time_limit", time_limit);
             if (time_limit) options.time_limit = *time_limit;
             given.read("roomiest", options.roomiest);
+            options.threads = 0;
+            given.read("threads", options.threads);
             Progress progress(given.callback("progress"));
             Steer steer = Steer::standing;
             double steering_rate = 0.5;

@@ -25,8 +25,10 @@ struct ParkOptions {
     double resolution = 0.0;
     double time_limit = std::numeric_limits<double>::infinity();  ///< ends with the bounds found so far [s]
     bool roomiest =
-        true;         ///< look for a maneuver that keeps its distance; otherwise any with that many changes will do
-    int threads = 1;  ///< what is large is computed on so many, the one that asks among them; 0: all cores. The answer is the same.
+        true;  ///< look for a maneuver that keeps its distance; otherwise any with that many changes will do
+    /// 0 to 1024, the one that asks among them; 0: all cores, as far as they are of use. They begin where there is enough to do, the
+    /// answer is the same, and only the one that asks tells `progress`.
+    int threads = 1;
     /// Told from time to time; returning false ends with the bounds found so far.
     std::function<bool(const ParkProgress&)> progress = {};
 };

@@ -17,8 +17,7 @@ std::size_t whole(std::size_t bytes) { return (bytes + 63) / 64 * 64; }
 }  // namespace
 
 bool NumberStore::begins_piece(const std::byte* place) const {
-    return std::any_of(pieces_.begin(), pieces_.end(),
-                       [&](const Piece& piece) { return piece.begin.get() == place; });
+    return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) { return piece.begin.get() == place; });
 }
 
 void NumberStore::drop_unused_pieces() {
@@ -71,9 +70,9 @@ void NumberStore::give_back(void* numbers, std::size_t bytes) noexcept {
 }
 
 void NumberStore::add_gap(const Gap& gap) {
-    const auto after = std::lower_bound(gaps_.begin(), gaps_.end(), gap.begin, [](const Gap& one, const std::byte* place) {
-        return std::less<const std::byte*>()(one.begin, place);
-    });
+    const auto after = std::lower_bound(
+        gaps_.begin(), gaps_.end(), gap.begin,
+        [](const Gap& one, const std::byte* place) { return std::less<const std::byte*>()(one.begin, place); });
     const bool joins_after =
         after != gaps_.end() && gap.begin + gap.bytes == after->begin && !begins_piece(after->begin);
     const bool joins_before =

@@ -12,6 +12,7 @@ std::unique_ptr<Workers> workers_for(int) { return nullptr; }
 
 #else
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <exception>
@@ -26,6 +27,8 @@ using Work = std::function<void(int, const Watch&)>;
 
 namespace {
 
+constexpr int most_of_use = 8;
+
 /// Waits a while for what is likely to come sooner than a thread wakes up.
 template <class Has>
 void soon(const Has& has_come) {
@@ -37,10 +40,11 @@ void soon(const Has& has_come) {
 struct Workers::Crew {
     std::mutex mutex;
     std::condition_variable begin, end;
-    const Work* work = nullptr;    ///< that is open to whoever has time
-    const Watch* watch = nullptr;  ///< of the thread that asks
+    const Work* work = nullptr;     ///< that is open to whoever has time
+    const Watch* watch = nullptr;   ///< of the thread that asks
     std::atomic<unsigned> jobs{0};  ///< begun so far
     std::atomic<int> at_work{0};    ///< threads other than the one that asks
+    int wanted = 1;                 ///< threads, with the one that asks
     bool over = false;
     bool shared = false;  ///< until all parts are done
     int parts = 0;
@@ -48,6 +52,15 @@ struct Workers::Crew {
     std::atomic<bool> given_up{false};
     std::exception_ptr trouble;
     std::vector<std::thread> threads;
+
+    /// Those that are wanted, once there is work for them.
+    void come() {
+        try {
+            while (static_cast<int>(threads.size()) + 1 < wanted) threads.emplace_back([this] { stay(); });
+        } catch (const std::system_error&) {
+            wanted = static_cast<int>(threads.size()) + 1;
+        }
+    }
 
     void do_parts(const Work& what, const Watch& looks) {
         try {
@@ -84,11 +97,8 @@ struct Workers::Crew {
 };
 
 Workers::Workers(int threads) : crew_(std::make_unique<Crew>()) {
-    if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
-    try {
-        for (int i = 1; i < threads; ++i) crew_->threads.emplace_back([crew = crew_.get()] { crew->stay(); });
-    } catch (const std::system_error&) {
-    }
+    if (threads == 0) threads = std::min(most_of_use, static_cast<int>(std::thread::hardware_concurrency()));
+    crew_->wanted = std::max(threads, 1);
 }
 
 Workers::~Workers() {
@@ -104,10 +114,9 @@ std::unique_ptr<Workers> workers_for(int threads) {
     return threads == 1 ? nullptr : std::make_unique<Workers>(threads);
 }
 
-int Workers::count() const { return static_cast<int>(crew_->threads.size()) + 1; }
-
 void Workers::share(int parts, const Watch& watch, const Work& work) {
     Crew& crew = *crew_;
+    if (!crew.shared) crew.come();
     if (crew.shared || crew.threads.empty()) {
         for (int part = 0; part < parts; ++part) {
             watch();
@@ -160,7 +169,7 @@ void Workers::share_in_order(int steps, const Watch& watch, const std::function<
         return true;
     };
     // One thread takes, and helps where nothing is to be taken yet; the others prepare.
-    share(count(), watch, [&](int part, const Watch& watched) {
+    share(crew_->wanted, watch, [&](int part, const Watch& watched) {
         if (part > 0) {
             while (prepare_next()) watched();
             return;

@@ -11,10 +11,9 @@ namespace snug::detail {
 /// Of one search, on whose thread they are asked for work.
 class Workers {
 public:
-    /// With the thread that asks; 0: all cores. Fewer if the system has no more.
+    /// With the thread that asks; 0: all cores, as far as they are of use. Fewer if the system has no more.
     explicit Workers(int threads);
     ~Workers();
-    [[nodiscard]] int count() const;
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 

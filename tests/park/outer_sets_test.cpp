@@ -44,13 +44,15 @@ TEST(OuterSets, HoldEveryPlaceOfRandomManeuversOutOfTheSlot) {
                 const bool is_forward = direction == Direction::forward;
                 snug::detail::sets::Pairs& pairs = moves[is_forward ? 0 : 1];
                 const auto& before = is_forward ? backward : forward;
-                lattice.sweep(pairs, limits, direction, [] {}, [&](snug::detail::sets::Rows rows) {
-                    if (k == 0) {
-                        lattice.begin(rows, pairs, limits, direction, lattice.parked());
-                    } else {
-                        lattice.turn(rows, pairs, limits, direction, before.back());
-                    }
-                });
+                lattice.sweep(
+                    pairs, limits, direction, [] {},
+                    [&](snug::detail::sets::Rows rows) {
+                        if (k == 0) {
+                            lattice.begin(rows, pairs, limits, direction, lattice.parked());
+                        } else {
+                            lattice.turn(rows, pairs, limits, direction, before.back());
+                        }
+                    });
             }
             forward.push_back(std::move(moves[0]));
             backward.push_back(std::move(moves[1]));

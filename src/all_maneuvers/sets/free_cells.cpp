@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "all_maneuvers/sets/by_rows.hpp"
 #include "all_maneuvers/sets/free_along.hpp"
-#include "all_maneuvers/sets/layer_builder.hpp"
 #include "all_maneuvers/sets/outer_sets.hpp"
 #include "all_maneuvers/sets/parents.hpp"
 #include "all_maneuvers/workers.hpp"
@@ -82,7 +82,8 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const 
         for (int row = some.first; row <= some.last; ++row) {
             xs[row & 1].push_back(x(row));
             const Span& span = wanted[row - some.first] = columns_of(row);
-            if (!span.empty()) all = all.empty() ? span : Span{std::min(all.from, span.from), std::max(all.to, span.to), 0};
+            if (!span.empty())
+                all = all.empty() ? span : Span{std::min(all.from, span.from), std::max(all.to, span.to), 0};
         }
         if (all.empty()) return;
         const int first_cell = cell_of(all.from);
@@ -101,7 +102,8 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const 
             if (from > to) continue;
             const Bands& bands = columns[static_cast<std::size_t>(d - first_column)];
             const auto count = static_cast<std::size_t>(to - from) / 2 + 1;
-            const std::span<const double> at = {xs[d & 1].data() + static_cast<std::size_t>(from - some.first) / 2, count};
+            const std::span<const double> at = {xs[d & 1].data() + static_cast<std::size_t>(from - some.first) / 2,
+                                                count};
             free.measure(bands.region, bands.solids, at);
             const bool may_park = bands.parked.from <= at.back() && bands.parked.to >= at.front();
             if (may_park) parked.measure(bands.parked, at);

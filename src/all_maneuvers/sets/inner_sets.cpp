@@ -166,7 +166,13 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
     set.spans.rows.resize(static_cast<std::size_t>(std::max(0, last_row - first_row + 1)));
     const bool forward = direction == Direction::forward;
     const int step = forward ? 1 : -1;
-    std::vector<Interval> found, rooms, clipped;
+    /// Of one layer of the limits in a row.
+    struct Cells {
+        Span span;
+        const Micro *low, *high;
+    };
+    std::vector<Cells> layers;
+    std::vector<Interval> rooms, found;
     for (int n = 0; n <= last_row - first_row; ++n) {
         const int row = forward ? set.spans.first + n : set.spans.last() - n;
         if (n % 64 == 0) watch();
@@ -174,7 +180,13 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
         const Span before = set.spans.of(row - step), before_that = set.spans.of(row - 2 * step);
         const Span free_before = free_.spans.of(row - step);
         Span within;
-        for (const Layer& layer : limits) within = covering(within, layer.spans.of(row + 2 * offset_));
+        layers.clear();
+        for (const Layer& layer : limits) {
+            const Span span = layer.spans.of(row + 2 * offset_);
+            if (span.empty()) continue;
+            within = covering(within, span);
+            layers.push_back({span, layer.low.data() + span.begin, layer.high.data() + span.begin});
+        }
         // Cells that anything leads to: what is reached of them is kept.
         Span led = covering(begin_span, before_that);
         if (!before.empty()) led = covering(led, {before.from - 1, before.to + 1, 0});
@@ -190,12 +202,37 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
             const InnerSet::Range lefts = set.at(before, left), rights = set.at(before, right);
             if (begins.empty() && lefts.empty() && rights.empty() && from_before_that.empty()) continue;
             ++updates;
+            const InnerSet::Few free = measured(row, free_span, cell);
+            rooms.clear();
+            for (const Cells& cells : layers) {
+                if (!cells.span.holds(cell)) continue;
+                const int i = cell - cells.span.from;
+                const double low = cells.low[i] * micro, high = cells.high[i] * micro;
+                for (std::uint32_t k = free.begin; k < free.begin + free.count; ++k) {
+                    const Interval& gap = free_.intervals[k];
+                    if (low <= gap.high && gap.low <= high)
+                        rooms.push_back({std::max(low, gap.low), std::min(high, gap.high)});
+                }
+            }
+            if (rooms.empty()) continue;
             found.clear();
-            for (const Interval& begin : begins) found.push_back(begin);
+            const auto add = [&](double low, double high) {
+                for (const Interval& room : rooms) {
+                    const double from = std::max(low, room.low), to = std::min(high, room.high);
+                    if (from > to) continue;
+                    // Mostly it overlaps the one before.
+                    if (!found.empty() && from <= found.back().high && found.back().low <= to) {
+                        found.back() = {std::min(from, found.back().low), std::max(to, found.back().high)};
+                    } else {
+                        found.push_back({from, to});
+                    }
+                }
+            };
+            for (const Interval& begin : begins) add(begin.low, begin.high);
             // From the column to the left the car keeps y + r cos forward, from the right y - r cos; backward the reverse.
             const double from_left = step * (level(d - 1) - level(d)), from_right = step * (level(d) - level(d + 1));
-            for (const Interval& from : lefts) found.push_back({from.low + from_left, from.high + from_left});
-            for (const Interval& from : rights) found.push_back({from.low + from_right, from.high + from_right});
+            for (const Interval& from : lefts) add(from.low + from_left, from.high + from_left);
+            for (const Interval& from : rights) add(from.low + from_right, from.high + from_right);
             // Across a cell: by way of one side, of the other, or turning off in between, where both are free.
             if (!from_before_that.empty() && left >= free_before.from && right <= free_before.to) {
                 const double least = 2.0 * std::min(from_left, from_right),
@@ -208,36 +245,16 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
                             const Interval &one = free_.intervals[i], &other = free_.intervals[j];
                             const double low = std::max({from.low, one.low - from_left, other.low - from_right});
                             const double high = std::min({from.high, one.high - from_left, other.high - from_right});
-                            if (low <= high) found.push_back({low + least, high + most});
+                            if (low <= high) add(low + least, high + most);
                         }
                     }
                 }
             }
             if (found.empty()) continue;
-            const InnerSet::Few free = measured(row, free_span, cell);
-            rooms.clear();
-            for (const Layer& layer : limits) {
-                const Span cells = layer.spans.of(row + 2 * offset_);
-                if (cell < cells.from || cell > cells.to) continue;
-                const double low = layer.low[cells.at(cell)] * micro, high = layer.high[cells.at(cell)] * micro;
-                for (std::uint32_t i = free.begin; i < free.begin + free.count; ++i) {
-                    const Interval both = {std::max(low, free_.intervals[i].low),
-                                           std::min(high, free_.intervals[i].high)};
-                    if (both.low <= both.high) rooms.push_back(both);
-                }
-            }
-            clipped.clear();
-            for (const Interval& interval : found) {
-                for (const Interval& room : rooms) {
-                    const Interval both = {std::max(interval.low, room.low), std::min(interval.high, room.high)};
-                    if (both.low <= both.high) clipped.push_back(both);
-                }
-            }
-            if (clipped.empty()) continue;
-            tidy(clipped, most_intervals);
+            tidy(found, most_intervals);
             set.of[led.at(cell)] = {static_cast<std::uint32_t>(set.intervals.size()),
-                                    static_cast<std::uint32_t>(clipped.size())};
-            set.intervals.insert(set.intervals.end(), clipped.begin(), clipped.end());
+                                    static_cast<std::uint32_t>(found.size())};
+            for (const Interval& interval : found) set.intervals.push_back(interval);
             if (reached.empty()) reached = {cell, cell, led.at(cell)};
             reached.to = cell;
         }

@@ -73,8 +73,7 @@ public:
     [[nodiscard]] const InnerSet& parked() const { return parked_; }
 
     /// Everything from which a move leads back to `starts`, within `limits` of the lattice of lower bounds.
-    [[nodiscard]] InnerSet sweep(const InnerSet& starts, const Limits& limits, Direction direction,
-                                 const Watch& watch);
+    [[nodiscard]] InnerSet sweep(const InnerSet& starts, const Limits& limits, Direction direction, const Watch& watch);
     [[nodiscard]] bool holds_start(const InnerSet& set) const { return set.at(0, 0).room(start_.y) > -1.0; }
 
     std::size_t updates = 0;

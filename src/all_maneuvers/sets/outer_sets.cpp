@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "all_maneuvers/sets/layer_builder.hpp"
+#include "all_maneuvers/sets/by_rows.hpp"
 #include "all_maneuvers/sets/set_sweep.hpp"
 #include "all_maneuvers/workers.hpp"
 #include "model/angles.hpp"
@@ -219,8 +219,7 @@ bool OuterLattice::holds(const Pairs& pairs, const Limits& limits, Direction dir
     return false;
 }
 
-void OuterLattice::turn(Rows rows, Pairs& pairs, const Limits& limits, Direction direction,
-                        const Pairs& before) const {
+void OuterLattice::turn(Rows rows, Pairs& pairs, const Limits& limits, Direction direction, const Pairs& before) const {
     clear(pairs, limits, rows);
     const Numbers& of = numbers(direction);
     std::vector<Micro> z, w;

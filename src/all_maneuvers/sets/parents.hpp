@@ -42,7 +42,8 @@ struct Parents {
             const int from = std::max(span.from, (first_cell - shift + 1) >> 1);
             const int to = std::min(span.to, (last_cell - shift) >> 1);
             if (from > to) return;
-            const Micro *parents_low = layer->low.data() + span.at(from), *parents_high = layer->high.data() + span.at(from);
+            const Micro *parents_low = layer->low.data() + span.at(from),
+                        *parents_high = layer->high.data() + span.at(from);
             const auto first = static_cast<std::size_t>(2 * from + shift - first_cell);
             const auto parents = static_cast<std::size_t>(to - from) + 1;
             for (std::size_t i = 0; i < parents; ++i) {

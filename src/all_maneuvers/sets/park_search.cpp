@@ -191,8 +191,7 @@ ChartPlace near_both(const ChartPlace& place, const Pose& one, const Pose& other
 /// Looks for ways with as many changes as the moves that are left allow.
 class WaySearch {
 public:
-    WaySearch(const ChartPlace& place, double h0, const Left& left, const Watch& watch,
-              std::size_t& updates)
+    WaySearch(const ChartPlace& place, double h0, const Left& left, const Watch& watch, std::size_t& updates)
         : place_(place), h0_(h0), left_(left), watch_(watch), updates_(updates) {}
 
     /// Any that can be driven; empty if none is found.
@@ -594,7 +593,7 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watch& watch
         return true;
     };
 
-    double found_at = h0;  ///< spacing of the lattice that has the way
+    double found_at = h0;      ///< spacing of the lattice that has the way
     std::map<int, Left> kept;  ///< by changes
     const auto left_for = [&](int changes, double h) {
         std::optional<Left> left;
