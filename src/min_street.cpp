@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "all_maneuvers/watch.hpp"
 #include "model/polygon.hpp"
 #include "sentences/check.hpp"
 #include "snug/contact.hpp"
@@ -86,7 +87,7 @@ Place easier_than_both(const Place& one, const Place& other) {
     return Place(std::move(easier));
 }
 
-struct GivenUp {};
+using detail::GivenUp;
 
 class StreetSizes {
 public:

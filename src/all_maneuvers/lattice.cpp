@@ -52,7 +52,7 @@ struct CellHeadings {
 /// The same number many times over. Fresh memory is slow, so somebody looks at the clock now and then.
 Numbers<double> many(std::size_t count, double number, const Watch& watch) {
     constexpr std::size_t at_once = std::size_t{1} << 20;
-    Numbers<double> numbers(count, watch.store());
+    Numbers<double> numbers(watch.store(), count);
     for (std::size_t done = 0; done < count; done += at_once) {
         std::fill_n(numbers.data() + done, std::min(count - done, at_once), number);
         watch();

@@ -1,7 +1,9 @@
 #include "all_maneuvers/numbers.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
+#include <new>
 #include <utility>
 
 namespace snug::detail {
@@ -85,6 +87,48 @@ void NumberStore::add_gap(const Gap& gap) {
     } else {
         gaps_.insert(after, gap);
     }
+}
+
+std::shared_ptr<NumberStore> new_store() { return std::make_shared<NumberStore>(); }
+
+Bytes::Bytes(const Bytes& other) : store_(other.store_) {
+    if (other.count_ == 0) return;
+    make_room(other.count_);
+    std::memcpy(begin_, other.begin_, other.count_);
+    count_ = other.count_;
+}
+
+Bytes::Bytes(Bytes&& other) noexcept
+    : store_(other.store_),
+      begin_(std::exchange(other.begin_, nullptr)),
+      count_(std::exchange(other.count_, 0)),
+      room_(std::exchange(other.room_, 0)) {}
+
+Bytes& Bytes::operator=(Bytes other) noexcept {
+    std::swap(store_, other.store_);
+    std::swap(begin_, other.begin_);
+    std::swap(count_, other.count_);
+    std::swap(room_, other.room_);
+    return *this;
+}
+
+Bytes::~Bytes() {
+    if (begin_ == nullptr) return;
+    if (store_) {
+        store_->give_back(begin_, room_);
+    } else {
+        ::operator delete(begin_);
+    }
+}
+
+void Bytes::make_room(std::size_t room) {
+    if (room <= room_) return;
+    Bytes larger(store_);
+    larger.begin_ = store_ ? store_->take(room) : ::operator new(room);
+    larger.room_ = room;
+    if (count_ > 0) std::memcpy(larger.begin_, begin_, count_);
+    larger.count_ = count_;
+    *this = std::move(larger);
 }
 
 }  // namespace snug::detail

@@ -4,10 +4,10 @@
 // when it is first touched, and memory given back to the system is fresh the next time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <mutex>
-#include <new>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -44,47 +44,77 @@ private:
     std::size_t taken_ = 0;  ///< rows from them
 };
 
-/// Allocates from a store; without one, from the system. What is not given a value is not set.
-template <class T>
-class FromStore {
+std::shared_ptr<NumberStore> new_store();
+
+/// Bytes from a store; without one, from the system.
+class Bytes {
 public:
-    using value_type = T;
-    using propagate_on_container_copy_assignment = std::true_type;
-    using propagate_on_container_move_assignment = std::true_type;
-    using propagate_on_container_swap = std::true_type;
+    Bytes() = default;
+    explicit Bytes(std::shared_ptr<NumberStore> store) : store_(std::move(store)) {}
+    Bytes(const Bytes& other);
+    Bytes(Bytes&& other) noexcept;
+    Bytes& operator=(Bytes other) noexcept;
+    ~Bytes();
 
-    FromStore() = default;
-    FromStore(std::shared_ptr<NumberStore> store) : store_(std::move(store)) {}  // NOLINT(google-explicit-constructor)
-    template <class U>
-    FromStore(const FromStore<U>& other) : store_(other.store()) {}  // NOLINT(google-explicit-constructor)
-
-    [[nodiscard]] const std::shared_ptr<NumberStore>& store() const { return store_; }
-    T* allocate(std::size_t count) {
-        return static_cast<T*>(store_ ? store_->take(count * sizeof(T)) : ::operator new(count * sizeof(T)));
+    [[nodiscard]] void* begin() const { return begin_; }
+    [[nodiscard]] std::size_t count() const { return count_; }
+    [[nodiscard]] std::size_t room() const { return room_; }
+    /// New ones are not set.
+    void resize(std::size_t count) {
+        if (count > room_) make_room(count > 2 * room_ ? count : 2 * room_);
+        count_ = count;
     }
-    void deallocate(T* numbers, std::size_t count) noexcept {
-        if (store_) {
-            store_->give_back(numbers, count * sizeof(T));
-        } else {
-            ::operator delete(numbers);
-        }
-    }
-    template <class U>
-    void construct(U* at) {
-        ::new (static_cast<void*>(at)) U;
-    }
-    template <class U, class... Args>
-    void construct(U* at, Args&&... args) {
-        ::new (static_cast<void*>(at)) U(std::forward<Args>(args)...);
-    }
-    friend bool operator==(const FromStore& one, const FromStore& other) { return one.store_ == other.store_; }
+    /// For at least so many.
+    void make_room(std::size_t room);
 
 private:
     std::shared_ptr<NumberStore> store_;
+    void* begin_ = nullptr;
+    std::size_t count_ = 0, room_ = 0;
 };
 
-/// A row of them.
+/// A row of numbers, or of what else is copied byte by byte; what is not given a value is not set.
 template <class T>
-using Numbers = std::vector<T, FromStore<T>>;
+class Numbers {
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+public:
+    Numbers() = default;
+    explicit Numbers(std::shared_ptr<NumberStore> store, std::size_t count = 0) : bytes_(std::move(store)) {
+        resize(count);
+    }
+
+    [[nodiscard]] std::size_t size() const { return bytes_.count() / sizeof(T); }
+    [[nodiscard]] bool empty() const { return bytes_.count() == 0; }
+    [[nodiscard]] std::size_t capacity() const { return bytes_.room() / sizeof(T); }
+    [[nodiscard]] T* data() { return static_cast<T*>(bytes_.begin()); }
+    [[nodiscard]] const T* data() const { return static_cast<const T*>(bytes_.begin()); }
+    T& operator[](std::size_t i) { return data()[i]; }
+    const T& operator[](std::size_t i) const { return data()[i]; }
+    [[nodiscard]] T* begin() { return data(); }
+    [[nodiscard]] T* end() { return data() + size(); }
+    [[nodiscard]] const T* begin() const { return data(); }
+    [[nodiscard]] const T* end() const { return data() + size(); }
+
+    void reserve(std::size_t count) { bytes_.make_room(count * sizeof(T)); }
+    void resize(std::size_t count) { bytes_.resize(count * sizeof(T)); }
+    void resize(std::size_t count, const T& value) {
+        const std::size_t before = size();
+        resize(count);
+        if (count > before) std::fill(data() + before, data() + count, value);
+    }
+    void push_back(const T& value) {
+        const T copy = value;
+        resize(size() + 1);
+        end()[-1] = copy;
+    }
+    /// What there is more room for is given back.
+    void shrink_to_fit() {
+        if (bytes_.room() > bytes_.count()) bytes_ = Bytes(bytes_);
+    }
+
+private:
+    Bytes bytes_;
+};
 
 }  // namespace snug::detail

@@ -36,7 +36,7 @@ public:
 
 private:
     std::function<void()> look_;
-    std::shared_ptr<NumberStore> store_ = std::make_shared<NumberStore>();
+    std::shared_ptr<NumberStore> store_ = new_store();
     Workers* workers_ = nullptr;
 };
 

@@ -34,11 +34,11 @@ private:
 /// None for one thread.
 std::unique_ptr<Workers> workers_for(int threads);
 
-/// The same; one after the other if there are no workers.
+/// The same; one after the other if there are no workers, or it is not worth their while.
 template <class Work>
-void in_parts([[maybe_unused]] Workers* workers, int parts, const Watch& watch, const Work& work) {
+void in_parts(const Watch& watch, [[maybe_unused]] bool worth_while, int parts, const Work& work) {
 #ifndef __EMSCRIPTEN__
-    if (workers && parts > 1) return workers->share(parts, watch, work);
+    if (worth_while && watch.workers() && parts > 1) return watch.workers()->share(parts, watch, work);
 #endif
     for (int part = 0; part < parts; ++part) {
         watch();
@@ -47,10 +47,11 @@ void in_parts([[maybe_unused]] Workers* workers, int parts, const Watch& watch, 
 }
 
 template <class Prepare, class Take>
-void in_order([[maybe_unused]] Workers* workers, int steps, const Watch& watch, const Prepare& prepare,
+void in_order(const Watch& watch, [[maybe_unused]] bool worth_while, int steps, const Prepare& prepare,
               const Take& take) {
 #ifndef __EMSCRIPTEN__
-    if (workers && steps > 1) return workers->share_in_order(steps, watch, prepare, take);
+    if (worth_while && watch.workers() && steps > 1)
+        return watch.workers()->share_in_order(steps, watch, prepare, take);
 #endif
     for (int step = 0; step < steps; ++step) {
         watch();

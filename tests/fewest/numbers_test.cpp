@@ -35,7 +35,11 @@ void keep_rows(const std::shared_ptr<NumberStore>& store, std::uint64_t begin) {
         if (rows.size() < 2 || below(5) < 2) {
             // Now and then longer than the store's longest piece.
             const std::size_t count = below(500) == 0 ? (std::size_t{3} << 20) + below(100) : 1 + below(20000);
-            rows.push_back({Numbers<double>(count, mark, store), mark});
+            Numbers<double> fresh(store);
+            if (below(2) == 0) fresh.push_back(mark);
+            fresh.resize(count, mark);
+            fresh.shrink_to_fit();
+            rows.push_back({std::move(fresh), mark});
         } else if (below(3) == 0) {
             const Row copy = rows[below(rows.size())];
             rows[below(rows.size())] = copy;
@@ -63,12 +67,12 @@ TEST(Numbers, MemoryGivenBackIsUsedAgain) {
     const auto store = std::make_shared<NumberStore>();
     const double* first = nullptr;
     for (int i = 0; i < 3; ++i) {
-        const Numbers<double> one(1000, store), other(3000, store);
+        const Numbers<double> one(store, 1000), other(store, 3000);
         if (i == 0) first = one.data();
         EXPECT_EQ(one.data(), first);
     }
     // Side by side they were one gap again.
-    EXPECT_EQ(Numbers<double>(4000, store).data(), first);
+    EXPECT_EQ(Numbers<double>(store, 4000).data(), first);
 }
 
 TEST(Numbers, WithoutAStoreComeFromTheSystem) {

@@ -37,13 +37,18 @@ private:
 };
 
 constexpr std::size_t worth_threads = 50'000;  ///< cells
+inline bool is_large(const Limits& limits) {
+    std::size_t cells = 0;
+    for (const Layer& layer : limits) cells += layer.spans.cells;
+    return cells > worth_threads;
+}
 constexpr int rows_at_once = 64;
 inline int blocks_of(Rows rows) { return rows.first > rows.last ? 0 : (rows.last - rows.first) / rows_at_once + 1; }
 
 /// Does something for all rows, some at a time, perhaps at the same time as others.
 template <class Do>
-void in_blocks(Workers* workers, const Watch& watch, Rows rows, const Do& act) {
-    in_parts(workers, blocks_of(rows), watch, [&](int block, const Watch&) {
+void in_blocks(const Watch& watch, bool worth_while, Rows rows, const Do& act) {
+    in_parts(watch, worth_while, blocks_of(rows), [&](int block, const Watch&) {
         const int first = rows.first + block * rows_at_once;
         act(Rows{first, std::min(first + rows_at_once - 1, rows.last)});
     });

@@ -59,7 +59,7 @@ void OuterLattice::measure(const ChartPlace& place, const Layer* coarser, const 
     while (sine(first_column) + sine_step_ < -steepest_sine) ++first_column;
     while (sine(last_column) - sine_step_ > steepest_sine) --last_column;
     std::vector<Bands> columns(static_cast<std::size_t>(last_column - first_column) + 1);
-    in_parts(workers_, last_column - first_column + 1, watch, [&](int i, const Watch&) {
+    in_parts(watch, true, last_column - first_column + 1, [&](int i, const Watch&) {
         columns[static_cast<std::size_t>(i)] = bands_of_cell(place, sine(first_column + i), h_);
     });
     std::optional<Parents> parents;

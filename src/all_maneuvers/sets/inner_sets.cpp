@@ -70,7 +70,8 @@ InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const L
         watch();
     }
     free_.spans = spans;
-    free_.of = Numbers<InnerSet::Few>(spans.cells, {0, not_measured}, watch.store());
+    free_.of = Numbers<InnerSet::Few>(watch.store());
+    free_.of.resize(spans.cells, {0, not_measured});
     free_.intervals = Numbers<Interval>(watch.store());
     // Of those rows and cells in which the car may be parked.
     struct Parking {
@@ -98,7 +99,7 @@ InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const L
         }
     }
     parked_.spans.store();
-    parked_.of = Numbers<InnerSet::Few>(parked_.spans.cells, {0, 0}, watch.store());
+    parked_.of.resize(parked_.spans.cells, {0, 0});
     for (const auto& [d, first, last] : parking) {
         const Band& band = columns_[static_cast<std::size_t>(d - first_column_)].parked;
         for (int row = first; row <= last; row += 2) {

@@ -74,8 +74,8 @@ Layer hull(const std::vector<const Limits*>& several) {
         }
     });
     all.spans.store();
-    all.low.assign(all.spans.cells + vector_padding, nowhere);
-    all.high.assign(all.spans.cells + vector_padding, -nowhere);
+    all.low.resize(all.spans.cells + vector_padding, nowhere);
+    all.high.resize(all.spans.cells + vector_padding, -nowhere);
     each([&](const Layer& layer, int row, const Span& span) {
         const Span mine = all.spans.of(row);
         for (int cell = span.from; cell <= span.to; ++cell) {
@@ -92,8 +92,7 @@ Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers,
     const int blocks = blocks_of(rows);
     std::vector<LayerRows> made(layers * static_cast<std::size_t>(blocks));
     const auto of = [&](int block) { return made.data() + layers * static_cast<std::size_t>(block); };
-    in_blocks(watch.workers(), watch, rows,
-              [&](Rows some) { make(some, of((some.first - rows.first) / rows_at_once)); });
+    in_blocks(watch, true, rows, [&](Rows some) { make(some, of((some.first - rows.first) / rows_at_once)); });
     Limits all(layers);
     for (std::size_t k = 0; k < layers; ++k) {
         // In one piece: rows between those that hold anything stay empty.
@@ -110,13 +109,12 @@ Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers,
         }
         layer.spans.store();
         lay_out(layer, watch.store());
-        in_parts(layer.spans.cells < worth_threads ? nullptr : watch.workers(), blocks, watch,
-                 [&](int block, const Watch&) {
-                     LayerRows some = std::move(of(block)[k]);
-                     const auto begin = static_cast<std::ptrdiff_t>(begins[static_cast<std::size_t>(block)]);
-                     std::copy(some.low_.begin(), some.low_.end(), layer.low.begin() + begin);
-                     std::copy(some.high_.begin(), some.high_.end(), layer.high.begin() + begin);
-                 });
+        in_parts(watch, layer.spans.cells > worth_threads, blocks, [&](int block, const Watch&) {
+            LayerRows some = std::move(of(block)[k]);
+            const auto begin = static_cast<std::ptrdiff_t>(begins[static_cast<std::size_t>(block)]);
+            std::copy(some.low_.begin(), some.low_.end(), layer.low.begin() + begin);
+            std::copy(some.high_.begin(), some.high_.end(), layer.high.begin() + begin);
+        });
     }
     return all;
 }
@@ -165,7 +163,7 @@ void OuterLattice::room_for_clipped(const Limits& coarser, Limits& clipped) cons
             }
             if (span.empty()) span = {};
         }
-        lay_out(mine, store_);
+        lay_out(mine, quiet_.store());
     }
 }
 
@@ -203,21 +201,19 @@ Limits OuterLattice::within(const Pairs& pairs, const Limits& limits, Direction 
             all[k].spans.rows.push_back(both.empty() ? Span{} : both);
         }
     }
-    for (Layer& layer : all) lay_out(layer, store_);
-    in_blocks(
-        workers_for(all), [] {}, rows_of({&all}),
-        [&](Rows rows) {
-            for (std::size_t k = 0; k < limits.size(); ++k) {
-                const Layer& layer = limits[k];
-                const Pairs::Of& theirs = pairs.layers[k];
-                write_rows(all[k], rows, [&](int row, int first, Micro* low, Micro* high, std::size_t count) {
-                    const std::size_t at = layer.spans.of(row).at(first), pair = theirs.reached.of(row).at(first);
-                    cut({low, high, layer.low.data() + at, layer.high.data() + at, theirs.w.data() + pair,
-                         theirs.z.data() + pair, of.down.at(row, first), of.up.at(row, first)},
-                        count);
-                });
-            }
-        });
+    for (Layer& layer : all) lay_out(layer, quiet_.store());
+    in_blocks(quiet_, is_large(all), rows_of({&all}), [&](Rows rows) {
+        for (std::size_t k = 0; k < limits.size(); ++k) {
+            const Layer& layer = limits[k];
+            const Pairs::Of& theirs = pairs.layers[k];
+            write_rows(all[k], rows, [&](int row, int first, Micro* low, Micro* high, std::size_t count) {
+                const std::size_t at = layer.spans.of(row).at(first), pair = theirs.reached.of(row).at(first);
+                cut({low, high, layer.low.data() + at, layer.high.data() + at, theirs.w.data() + pair,
+                     theirs.z.data() + pair, of.down.at(row, first), of.up.at(row, first)},
+                    count);
+            });
+        }
+    });
     return all;
 }
 

@@ -34,8 +34,7 @@ OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const L
       radius_(place.radius),
       sine_step_(h / (2.0 * place.radius)),
       start_(place.start),
-      workers_(watch.workers()),
-      store_(watch.store()) {
+      quiet_(watch.with([] {})) {
     x0_ = place.start.x - h0 / 3.0 + h / 2.0;
     sine0_ = angles::sin(place.start.heading);
     first_column_ = static_cast<int>(std::floor((-steepest_sine - sine0_) / sine_step_ - 1.0)) - 1;
@@ -153,12 +152,6 @@ void OuterLattice::offer(Pairs& pairs, const Limits& limits, Direction direction
     }
 }
 
-Workers* OuterLattice::workers_for(const Limits& limits) const {
-    std::size_t cells = 0;
-    for (const Layer& layer : limits) cells += layer.spans.cells;
-    return cells < worth_threads ? nullptr : workers_;
-}
-
 void OuterLattice::begin(Rows rows, Pairs& pairs, const Limits& limits, Direction direction,
                          const Limits& places) const {
     clear(pairs, limits, rows);
@@ -243,7 +236,7 @@ void OuterLattice::turn(Rows rows, Pairs& pairs, const Limits& limits, Direction
 
 void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watch& watch,
                          const std::function<void(Rows)>& begin) const {
-    lay_out(pairs, limits, store_);
+    lay_out(pairs, limits, quiet_.store());
     const Numbers& of = numbers(direction);
     const bool forward = direction == Direction::forward;
     std::size_t updates = 0;
@@ -312,7 +305,7 @@ void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction
         return forward ? Rows{all.first + first, all.first + last} : Rows{all.last - last, all.last - first};
     };
     in_order(
-        workers_for(limits), blocks_of(all), watch, [&](int step) { begin(rows_in(step)); },
+        watch, is_large(limits), blocks_of(all), [&](int step) { begin(rows_in(step)); },
         [&](int step) {
             const Rows rows = rows_in(step);
             if (forward) {
@@ -328,7 +321,7 @@ BothWays<Pairs> next_moves(const OuterLattice& lattice, const Pairs* last_forwar
                            const Watch& watch) {
     const Limits& limits = lattice.free();
     BothWays<Pairs> next;
-    in_parts(lattice.workers_for(limits), 2, watch, [&](int part, const Watch& watched) {
+    in_parts(watch, is_large(limits), 2, [&](int part, const Watch& watched) {
         const Direction direction = both_directions[part];
         const Pairs* before = direction == Direction::forward ? last_backward : last_forward;
         Pairs pairs;

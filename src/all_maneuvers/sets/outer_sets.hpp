@@ -191,8 +191,6 @@ public:
     [[nodiscard]] std::size_t take_updates() const {
         return std::exchange(updates_[0], 0) + std::exchange(updates_[1], 0);
     }
-    /// For so much; null if it is too little for them, or there are none.
-    [[nodiscard]] Workers* workers_for(const Limits& limits) const;
 
 private:
     struct Numbers {
@@ -216,8 +214,7 @@ private:
     Numbers forward_, backward_;
     ColumnNumbers apart_;  ///< z - w is at least this
     Limits free_, parked_;
-    Workers* workers_;
-    std::shared_ptr<NumberStore> store_;
+    Watch quiet_;
     mutable std::size_t updates_[2] = {};  ///< of moves forward and backward
 };
 

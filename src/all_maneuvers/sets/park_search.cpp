@@ -111,7 +111,7 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
     const auto drive = [&](std::size_t k, const auto& one_way) {
         const std::size_t forward = bytes_of(limits.forward[k]), backward = bytes_of(limits.backward[k]);
         const bool balanced = 2 * std::min(forward, backward) > std::max(forward, backward);
-        in_parts(balanced ? watch.workers() : nullptr, 2, watch, [&](int part, const Watch& watched) {
+        in_parts(watch, balanced, 2, [&](int part, const Watch& watched) {
             const Direction direction = both_directions[part];
             one_way(direction, now.of(direction).front(), before.of(other(direction)).front(), watched);
         });
@@ -281,7 +281,7 @@ private:
     /// Computes them at the same time if there are workers; else they are computed when they are asked for.
     void look_ahead(std::span<Look> looks) {
         if (!watch_.workers()) return;
-        in_parts(watch_.workers(), static_cast<int>(looks.size()), watch_, [&](int i, const Watch& watch) {
+        in_parts(watch_, true, static_cast<int>(looks.size()), [&](int i, const Watch& watch) {
             Look& look = looks[static_cast<std::size_t>(i)];
             look.found = looked_for(look.grown, look.last, watch);
         });
