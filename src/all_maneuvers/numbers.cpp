@@ -35,7 +35,7 @@ void NumberStore::drop_unused_pieces() {
 }
 
 void* NumberStore::take(std::size_t bytes) {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard<Mutex> lock(mutex_);
     if (bytes <= longest_piece) return cut_off(whole(bytes));
     drop_unused_pieces();
     return ::operator new(bytes);
@@ -66,7 +66,7 @@ void NumberStore::give_back(void* numbers, std::size_t bytes) noexcept {
         ::operator delete(numbers);
         return;
     }
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard<Mutex> lock(mutex_);
     --taken_;
     add_gap({static_cast<std::byte*>(numbers), whole(bytes)});
 }

@@ -37,7 +37,16 @@ private:
     void drop_unused_pieces();
     [[nodiscard]] std::byte* cut_off(std::size_t bytes);
 
-    std::mutex mutex_;
+#ifdef __EMSCRIPTEN__  // has no threads, and std::mutex is long
+    struct Mutex {
+        void lock() {}
+        void unlock() {}
+    };
+#else
+    using Mutex = std::mutex;
+#endif
+
+    Mutex mutex_;
     std::vector<Piece> pieces_;
     std::vector<Gap> gaps_;  // by address
     std::size_t total_ = 0;  ///< of the pieces

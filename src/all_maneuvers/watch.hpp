@@ -12,6 +12,22 @@ namespace snug::detail {
 
 class Workers;
 
+/// Something to be called as long as it is there: what std::function would copy.
+template <class... Given>
+class Call {
+public:
+    template <class Callee>
+    Call(const Callee& callee)  // NOLINT(google-explicit-constructor)
+        : callee_(&callee),
+          call_([](const void* it, Given... given) { (*static_cast<const Callee*>(it))(given...); }) {}
+
+    void operator()(Given... given) const { call_(callee_, given...); }
+
+private:
+    const void* callee_;
+    void (*call_)(const void*, Given...);
+};
+
 struct GivenUp {};
 /// Called, it looks whether time is up or the caller has had enough, and throws GivenUp if so.
 class Watch {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "all_maneuvers/sets/outer_sets.hpp"
@@ -28,8 +27,7 @@ public:
         high_.insert(high_.end(), high + begin, high + count);
     }
 
-    friend Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers,
-                               const std::function<void(Rows, LayerRows*)>& make);
+    friend Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers, const Call<Rows, LayerRows*>& make);
 
 private:
     Spans spans_;
@@ -56,7 +54,6 @@ void in_blocks(const Watch& watch, bool worth_while, Rows rows, const Do& act) {
 
 /// So many layers. `make` is told some of the rows at a time, perhaps at the same time as others, and where to add those of each
 /// layer.
-Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers,
-                    const std::function<void(Rows rows, LayerRows* layers)>& make);
+Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers, const Call<Rows, LayerRows*>& make);
 
 }  // namespace snug::detail::sets

@@ -17,8 +17,6 @@ namespace snug::detail::sets {
 
 namespace {
 
-constexpr std::size_t most_layers = 6;  ///< of a cell; where there are more, the nearest are taken together
-
 /// The longest first; where there are more than layers, the nearest are taken together.
 void sort_into_layers(std::vector<Interval>& gaps) {
     while (gaps.size() > most_layers) {

@@ -73,54 +73,43 @@ InnerLattice::InnerLattice(const ChartPlace& place, double h, double h0, const L
     free_.of = Numbers<InnerSet::Few>(watch.store());
     free_.of.resize(spans.cells, {0, not_measured});
     free_.intervals = Numbers<Interval>(watch.store());
-    // Of those rows and cells in which the car may be parked.
-    struct Parking {
-        int column, first, last;
+    const auto each_that_may_be_parked = [&](auto&& act) {
+        for (int d = first_column_; d <= last_column; ++d) {
+            const Band& band = columns_[static_cast<std::size_t>(d - first_column_)].parked;
+            if (!(band.from <= band.to)) continue;
+            // The band may have no end.
+            const auto row_at = [&](double rows) {
+                return static_cast<int>(std::clamp(rows, spans.first - 1.0, spans.last() + 1.0));
+            };
+            const int first = std::max(spans.first, row_at(std::floor((band.from - start_.x) / (h_ / 2.0))));
+            const int last = std::min(spans.last(), row_at(std::ceil((band.to - start_.x) / (h_ / 2.0))));
+            for (int row = first + ((first ^ d) & 1); row <= last; row += 2)
+                if (spans.of(row).holds(cell_of(d))) act(row, cell_of(d), band);
+        }
     };
-    std::vector<Parking> parking;
     parked_.spans.first = spans.first;
     parked_.spans.rows.resize(spans.rows.size());
-    for (int d = first_column_; d <= last_column; ++d) {
-        const Band& band = columns_[static_cast<std::size_t>(d - first_column_)].parked;
-        if (!(band.from <= band.to)) continue;
-        // The band may have no end.
-        const auto row_at = [&](double rows) {
-            return static_cast<int>(std::clamp(rows, spans.first - 1.0, spans.last() + 1.0));
-        };
-        const int first = std::max(spans.first, row_at(std::floor((band.from - start_.x) / (h_ / 2.0))));
-        const int last = std::min(spans.last(), row_at(std::ceil((band.to - start_.x) / (h_ / 2.0))));
-        parking.push_back({d, first + ((first ^ d) & 1), last});
-        for (int row = parking.back().first; row <= last; row += 2) {
-            const int cell = cell_of(d);
-            if (spans.of(row).holds(cell)) {
-                Span& span = parked_.spans.rows[static_cast<std::size_t>(row - spans.first)];
-                span = covering(span, {cell, cell, 0});
-            }
-        }
-    }
+    each_that_may_be_parked([&](int row, int cell, const Band&) {
+        Span& span = parked_.spans.rows[static_cast<std::size_t>(row - spans.first)];
+        span = covering(span, {cell, cell, 0});
+    });
     parked_.spans.store();
     parked_.of.resize(parked_.spans.cells, {0, 0});
-    for (const auto& [d, first, last] : parking) {
-        const Band& band = columns_[static_cast<std::size_t>(d - first_column_)].parked;
-        for (int row = first; row <= last; row += 2) {
-            const Span span = spans.of(row);
-            const int cell = cell_of(d);
-            if (!span.holds(cell)) continue;
-            double low = 0.0, high = 0.0;
-            band.at(x(row), low, high);
-            if (low > high) continue;
-            const InnerSet::Few few = measured(row, span, cell);
-            InnerSet::Few& mine = parked_.of[parked_.spans.of(row).at(cell)];
-            mine.begin = static_cast<std::uint32_t>(parked_.intervals.size());
-            for (std::uint32_t i = 0; i < few.count; ++i) {
-                const Interval& free = free_.intervals[few.begin + i];
-                const Interval both = {std::max(low, free.low) + wary, std::min(high, free.high) - wary};
-                if (both.low > both.high) continue;
-                parked_.intervals.push_back(both);
-                ++mine.count;
-            }
+    each_that_may_be_parked([&](int row, int cell, const Band& band) {
+        double low = 0.0, high = 0.0;
+        band.at(x(row), low, high);
+        if (low > high) return;
+        const InnerSet::Few few = measured(row, spans.of(row), cell);
+        InnerSet::Few& mine = parked_.of[parked_.spans.of(row).at(cell)];
+        mine.begin = static_cast<std::uint32_t>(parked_.intervals.size());
+        for (std::uint32_t i = 0; i < few.count; ++i) {
+            const Interval& free = free_.intervals[few.begin + i];
+            const Interval both = {std::max(low, free.low) + wary, std::min(high, free.high) - wary};
+            if (both.low > both.high) continue;
+            parked_.intervals.push_back(both);
+            ++mine.count;
         }
-    }
+    });
 }
 
 InnerSet::Few InnerLattice::measured(int row, const Span& span, int cell) {
@@ -172,7 +161,7 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
         Span span;
         const Micro *low, *high;
     };
-    std::vector<Cells> layers;
+    Cells layers[most_layers];
     std::vector<Interval> rooms, found;
     for (int n = 0; n <= last_row - first_row; ++n) {
         const int row = forward ? set.spans.first + n : set.spans.last() - n;
@@ -181,12 +170,12 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
         const Span before = set.spans.of(row - step), before_that = set.spans.of(row - 2 * step);
         const Span free_before = free_.spans.of(row - step);
         Span within;
-        layers.clear();
+        std::size_t layer_count = 0;
         for (const Layer& layer : limits) {
             const Span span = layer.spans.of(row + 2 * offset_);
             if (span.empty()) continue;
             within = covering(within, span);
-            layers.push_back({span, layer.low.data() + span.begin, layer.high.data() + span.begin});
+            layers[layer_count++] = {span, layer.low.data() + span.begin, layer.high.data() + span.begin};
         }
         // Cells that anything leads to: what is reached of them is kept.
         Span led = covering(begin_span, before_that);
@@ -205,7 +194,8 @@ InnerSet InnerLattice::sweep(const InnerSet& starts, const Limits& limits, Direc
             ++updates;
             const InnerSet::Few free = measured(row, free_span, cell);
             rooms.clear();
-            for (const Cells& cells : layers) {
+            for (std::size_t m = 0; m < layer_count; ++m) {
+                const Cells& cells = layers[m];
                 if (!cells.span.holds(cell)) continue;
                 const int i = cell - cells.span.from;
                 const double low = cells.low[i] * micro, high = cells.high[i] * micro;

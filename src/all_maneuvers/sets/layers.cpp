@@ -87,8 +87,7 @@ Layer hull(const std::vector<const Limits*>& several) {
     return all;
 }
 
-Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers,
-                    const std::function<void(Rows, LayerRows*)>& make) {
+Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers, const Call<Rows, LayerRows*>& make) {
     const int blocks = blocks_of(rows);
     std::vector<LayerRows> made(layers * static_cast<std::size_t>(blocks));
     const auto of = [&](int block) { return made.data() + layers * static_cast<std::size_t>(block); };
@@ -143,27 +142,27 @@ void write_rows(Layer& layer, Rows rows, const Write& write) {
 
 }  // namespace
 
-void OuterLattice::room_for_clipped(const Limits& coarser, Limits& clipped) const {
+void OuterLattice::room_for_clipped(const Limits& coarser, Limits& clipped, const Watch& watch) const {
     std::vector<Parents> parents;
     for (const Layer& layer : coarser) parents.push_back({&layer});
     clipped.resize(free_.size());
     for (std::size_t k = 0; k < free_.size(); ++k) {
         const Layer& layer = free_[k];
         Layer& mine = clipped[k];
-        mine.spans = layer.spans;
-        for (int row = layer.spans.first; row <= layer.spans.last(); ++row) {
-            Span& span = mine.spans.rows[static_cast<std::size_t>(row - layer.spans.first)];
-            const Span all = span;
-            span = {all.to + 1, all.from - 1, 0};
+        mine.spans.first = layer.spans.first;
+        mine.spans.rows.clear();
+        for (const Span& all : layer.spans.rows) {
+            const int row = layer.spans.first + static_cast<int>(mine.spans.rows.size());
+            Span span = {all.to + 1, all.from - 1, 0};
             for (const Parents& of : parents) {
                 const Span columns = of.columns(row);
                 if (columns.empty()) continue;
                 span.from = std::min(span.from, std::max(all.from, cell_of(columns.from)));
                 span.to = std::max(span.to, std::min(all.to, cell_of(columns.to)));
             }
-            if (span.empty()) span = {};
+            mine.spans.rows.push_back(span.empty() ? Span{} : span);
         }
-        lay_out(mine, quiet_.store());
+        lay_out(mine, watch.store());
     }
 }
 
@@ -189,7 +188,7 @@ void OuterLattice::clip(Rows rows, const Limits& coarser, Limits& clipped) const
     }
 }
 
-Limits OuterLattice::within(const Pairs& pairs, const Limits& limits, Direction direction) const {
+Limits OuterLattice::within(const Pairs& pairs, const Limits& limits, Direction direction, const Watch& watch) const {
     const Numbers& of = numbers(direction);
     Limits all(limits.size());
     for (std::size_t k = 0; k < limits.size(); ++k) {
@@ -201,8 +200,8 @@ Limits OuterLattice::within(const Pairs& pairs, const Limits& limits, Direction 
             all[k].spans.rows.push_back(both.empty() ? Span{} : both);
         }
     }
-    for (Layer& layer : all) lay_out(layer, quiet_.store());
-    in_blocks(quiet_, is_large(all), rows_of({&all}), [&](Rows rows) {
+    for (Layer& layer : all) lay_out(layer, watch.store());
+    in_blocks(watch, is_large(all), rows_of({&all}), [&](Rows rows) {
         for (std::size_t k = 0; k < limits.size(); ++k) {
             const Layer& layer = limits[k];
             const Pairs::Of& theirs = pairs.layers[k];

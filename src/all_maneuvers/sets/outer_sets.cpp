@@ -30,11 +30,7 @@ void sort_longest_first(std::vector<Interval>& intervals) {
 }
 
 OuterLattice::OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watch& watch)
-    : h_(h),
-      radius_(place.radius),
-      sine_step_(h / (2.0 * place.radius)),
-      start_(place.start),
-      quiet_(watch.with([] {})) {
+    : h_(h), radius_(place.radius), sine_step_(h / (2.0 * place.radius)), start_(place.start) {
     x0_ = place.start.x - h0 / 3.0 + h / 2.0;
     sine0_ = angles::sin(place.start.heading);
     first_column_ = static_cast<int>(std::floor((-steepest_sine - sine0_) / sine_step_ - 1.0)) - 1;
@@ -235,8 +231,8 @@ void OuterLattice::turn(Rows rows, Pairs& pairs, const Limits& limits, Direction
 }
 
 void OuterLattice::sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watch& watch,
-                         const std::function<void(Rows)>& begin) const {
-    lay_out(pairs, limits, quiet_.store());
+                         const Call<Rows>& begin) const {
+    lay_out(pairs, limits, watch.store());
     const Numbers& of = numbers(direction);
     const bool forward = direction == Direction::forward;
     std::size_t updates = 0;

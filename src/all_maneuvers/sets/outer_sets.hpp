@@ -96,6 +96,7 @@ struct Layer {
 };
 /// Several in a cell, in any order.
 using Limits = std::vector<Layer>;
+constexpr std::size_t most_layers = 6;  ///< where there would be more, the nearest are taken together
 
 /// `first` to `last`; none if that is before.
 struct Rows {
@@ -155,7 +156,7 @@ struct CellGrid {
 class OuterLattice {
 public:
     /// Cells of side h, the start pose a third of h0 from the corner of one; h0 / h is a power of two. Only within what is
-    /// left of the lattice twice as coarse, if given. Workers must outlive it.
+    /// left of the lattice twice as coarse, if given.
     OuterLattice(const ChartPlace& place, double h, double h0, const Layer* coarser, const Watch& watch);
 
     [[nodiscard]] double h() const { return h_; }
@@ -168,7 +169,7 @@ public:
     /// Everything a move reaches, beside limits. What it begins with is put there by `begin`, some rows at a time, perhaps on other
     /// threads; the limits of these rows are not looked at before. What the pairs held is lost, their memory is used again.
     void sweep(Pairs& pairs, const Limits& limits, Direction direction, const Watch& watch,
-               const std::function<void(Rows rows)>& begin) const;
+               const Call<Rows>& begin) const;
     /// Begins with places in intervals of y.
     void begin(Rows rows, Pairs& pairs, const Limits& limits, Direction direction, const Limits& places) const;
     void begin_at_start(Rows rows, Pairs& pairs, const Limits& limits, Direction direction) const;
@@ -180,9 +181,10 @@ public:
         return holds(pairs, limits, direction, start_);
     }
     /// Limits cut down to what pairs hold, that lie beside them or beside some they are a part of.
-    [[nodiscard]] Limits within(const Pairs& pairs, const Limits& limits, Direction direction) const;
+    [[nodiscard]] Limits within(const Pairs& pairs, const Limits& limits, Direction direction,
+                                const Watch& watch) const;
     /// The free intervals, clipped to what is left of the lattice twice as coarse: room for them, and some rows.
-    void room_for_clipped(const Limits& coarser, Limits& clipped) const;
+    void room_for_clipped(const Limits& coarser, Limits& clipped, const Watch& watch) const;
     void clip(Rows rows, const Limits& coarser, Limits& clipped) const;
 
     [[nodiscard]] CellGrid grid() const { return {h_, radius_, x0_, sine0_, sine_step_}; }
@@ -214,7 +216,6 @@ private:
     Numbers forward_, backward_;
     ColumnNumbers apart_;  ///< z - w is at least this
     Limits free_, parked_;
-    Watch quiet_;
     mutable std::size_t updates_[2] = {};  ///< of moves forward and backward
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <span>
 #include <utility>
 
@@ -102,18 +101,13 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
         Limits limits;
         Pairs pairs;
     };
-    BothWays<Move> now, before;
-    for (const Direction direction : both_directions) {
-        now.of(direction).resize(1);
-        before.of(direction).resize(1);
-    }
+    Move now[2], before[2];  // forward and backward
     /// Drives move k both ways, at the same time where there is about as much to do.
     const auto drive = [&](std::size_t k, const auto& one_way) {
         const std::size_t forward = bytes_of(limits.forward[k]), backward = bytes_of(limits.backward[k]);
         const bool balanced = 2 * std::min(forward, backward) > std::max(forward, backward);
         in_parts(watch, balanced, 2, [&](int part, const Watch& watched) {
-            const Direction direction = both_directions[part];
-            one_way(direction, now.of(direction).front(), before.of(other(direction)).front(), watched);
+            one_way(both_directions[part], now[part], before[1 - part], watched);
         });
         std::swap(now, before);
     };
@@ -123,7 +117,7 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
     for (std::size_t k = 0; k < moves; ++k) {
         drive(k, [&](Direction direction, Move& move, const Move& last, const Watch& watched) {
             Limits& mine = limits.of(direction)[k];
-            lattice.room_for_clipped(mine, move.limits);
+            lattice.room_for_clipped(mine, move.limits, watched);
             lattice.sweep(move.pairs, move.limits, direction, watched, [&](Rows rows) {
                 lattice.clip(rows, mine, move.limits);
                 if (k == 0) {
@@ -132,7 +126,7 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
                     lattice.turn(rows, move.pairs, move.limits, direction, last.pairs);
                 }
             });
-            mine = lattice.within(move.pairs, move.limits, direction);
+            mine = lattice.within(move.pairs, move.limits, direction, watched);
         });
         for (const Direction direction : both_directions) {
             const std::size_t of_move = bytes_of(limits.of(direction)[k]);
@@ -143,10 +137,8 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
         for (const Direction direction : both_directions) std::fill_n(limits.of(direction).begin(), k, Limits{});
     }
     bool reached = false;
-    for (const Direction direction : both_directions) {
-        const Move& last = before.of(direction).front();
-        reached = reached || lattice.holds_start(last.pairs, last.limits, direction);
-    }
+    for (const int part : {0, 1})
+        reached = reached || lattice.holds_start(before[part].pairs, before[part].limits, both_directions[part]);
     bounds.updates += lattice.take_updates();
     if (!reached) return std::nullopt;
     if (!all_kept) throw TooLarge{};
@@ -162,7 +154,7 @@ std::optional<Left> refined(const ParkQuestion& question, Left left, ParkBounds&
                     lattice.turn(rows, move.pairs, move.limits, direction, last.pairs);
                 }
             });
-            mine = lattice.within(move.pairs, move.limits, direction);
+            mine = lattice.within(move.pairs, move.limits, direction, watched);
         });
     }
     bounds.updates += lattice.take_updates();
@@ -196,18 +188,16 @@ public:
 
     /// Any that can be driven; empty if none is found.
     std::vector<Path> any() {
-        std::vector<Look> looks;
-        for (const Direction last : both_directions)
-            if (!holds_nothing(left_.moves.of(last).back())) looks.push_back({0.0, last});
+        Look looks[] = {{0.0, both_directions[0]}, {0.0, both_directions[1]}};
         look_ahead(looks);
         for (Look& look : looks) {
             // What is met between nodes shrinks for a car that is a little larger.
-            std::vector<Look> larger;
-            for (const double part : {32.0, 8.0, 4.0, 2.0}) larger.push_back({left_.h / part, look.last});
+            Look larger[4];
+            for (std::size_t i = 0; i < 4; ++i) larger[i] = {left_.h / parts[i], look.last};
             std::vector<Path> way;
             bool gets_through = gets_there(look, way);
-            for (std::size_t i = 0; i < larger.size() && gets_through && way.empty(); ++i) {
-                if (i % 2 == 0) look_ahead({larger.data() + i, 2});
+            for (std::size_t i = 0; i < 4 && gets_through && way.empty(); ++i) {
+                if (i % 2 == 0) look_ahead({larger + i, 2});
                 gets_through = gets_there(larger[i], way);
             }
             if (!way.empty()) return way;
@@ -262,6 +252,7 @@ public:
     }
 
 private:
+    static constexpr double parts[] = {32.0, 8.0, 4.0, 2.0};  ///< of the spacing, by which the car is made larger
     static constexpr double smallest = 0.003, largest = 0.2;  ///< by which the car is grown [m]
     static constexpr double worth_of_distance = 25.0;         ///< of length, per metre of distance kept
 
@@ -274,8 +265,8 @@ private:
 
     /// Lattices that are likely to be asked for.
     struct Look {
-        double grown;
-        Direction last;
+        double grown = 0.0;
+        Direction last = Direction::forward;
         std::optional<Found> found = {};
     };
     /// Computes them at the same time if there are workers; else they are computed when they are asked for.
@@ -283,7 +274,7 @@ private:
         if (!watch_.workers()) return;
         in_parts(watch_, true, static_cast<int>(looks.size()), [&](int i, const Watch& watch) {
             Look& look = looks[static_cast<std::size_t>(i)];
-            look.found = looked_for(look.grown, look.last, watch);
+            if (!holds_nothing(left_.moves.of(look.last).back())) look.found = looked_for(look.grown, look.last, watch);
         });
     }
     Found& found_by(Look& look) {
@@ -293,6 +284,7 @@ private:
     }
     /// Whether the car gets to the start along the lattice; and how, if that can be driven.
     bool gets_there(Look& look, std::vector<Path>& way) {
+        if (holds_nothing(left_.moves.of(look.last).back())) return false;
         const Found& found = found_by(look);
         const bool gets_through = found.gets_through;
         if (gets_through) way = drivable(found);
@@ -574,8 +566,8 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watch& watch
                     });
                     moves.push_back(std::move(pairs));
                 }
-                const Limits reached = lattice.within(out.of(direction)[k], lattice.free(), direction);
-                left.moves.of(direction)[k] = lattice.within(moves[i], reached, other(direction));
+                const Limits reached = lattice.within(out.of(direction)[k], lattice.free(), direction, watch);
+                left.moves.of(direction)[k] = lattice.within(moves[i], reached, other(direction), watch);
             }
         }
         left.hull_of_all = hull_of(left.moves);
@@ -593,11 +585,21 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watch& watch
         return true;
     };
 
-    double found_at = h0;      ///< spacing of the lattice that has the way
-    std::map<int, Left> kept;  ///< by changes
+    double found_at = h0;  ///< spacing of the lattice that has the way
+    struct Kept {
+        int changes;
+        Left left;
+    };
+    std::vector<Kept> kept;
     const auto left_for = [&](int changes, double h) {
         std::optional<Left> left;
-        if (const auto of = kept.extract(changes); of && of.mapped().h > 0.999 * h) left = std::move(of.mapped());
+        for (Kept& one : kept) {
+            if (one.changes != changes) continue;
+            std::swap(one, kept.back());
+            if (kept.back().left.h > 0.999 * h) left = std::move(kept.back().left);
+            kept.pop_back();
+            break;
+        }
         if (!left) left = left_with(changes);
         while (left && left->h > 1.001 * h) left = refined(question, std::move(*left), bounds, watch);
         return left;
@@ -605,8 +607,8 @@ void narrow(const ParkQuestion& question, ParkBounds& bounds, const Watch& watch
     /// So that it need not be computed from the coarsest lattice on again.
     const auto keep = [&](int changes, Left left) {
         std::size_t bytes = bytes_of(left);
-        for (const auto& [of, other] : kept) bytes += bytes_of(other);
-        if (bytes <= most_bytes / 8) kept.emplace(changes, std::move(left));
+        for (const Kept& one : kept) bytes += bytes_of(one.left);
+        if (bytes <= most_bytes / 8) kept.push_back({changes, std::move(left)});
     };
     const auto driven_at = [&](int changes, double h) {
         try {
