@@ -82,7 +82,7 @@ void check_start(const Place& place, const ChartPlace& here) {
 
 bool holds_nothing(const detail::sets::Limits& limits) {
     for (const Layer& layer : limits)
-        for (std::size_t i = 0; i < layer.low.size(); ++i)
+        for (std::size_t i = 0; i < layer.spans.cells; ++i)
             if (layer.low[i] <= layer.high[i]) return false;
     return true;
 }

@@ -99,7 +99,7 @@ Bytes::Bytes(const Bytes& other) : store_(other.store_) {
 }
 
 Bytes::Bytes(Bytes&& other) noexcept
-    : store_(other.store_),
+    : store_(std::move(other.store_)),
       begin_(std::exchange(other.begin_, nullptr)),
       count_(std::exchange(other.count_, 0)),
       room_(std::exchange(other.room_, 0)) {}
