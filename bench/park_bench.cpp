@@ -9,6 +9,7 @@
 
 #include "all_maneuvers/sets/chart.hpp"
 #include "all_maneuvers/sets/outer_sets.hpp"
+#include "all_maneuvers/workers.hpp"
 #include "snug/snug.hpp"
 
 namespace snug {
@@ -85,7 +86,7 @@ void proved(benchmark::State& state, const Case& c, int threads) {
 
 void whole(benchmark::State& state, const Case& c) { ask(state, c, {}); }
 
-/// One sweep of the lower bound over the whole lattice; an item is a cell and predecessor.
+/// One sweep of the lower bound over the whole lattice;
 void sweep(benchmark::State& state, const Case& c, double spacing) {
     using namespace detail::sets;
     Chart chart;
@@ -99,6 +100,22 @@ void sweep(benchmark::State& state, const Case& c, double spacing) {
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(static_cast<std::int64_t>(lattice.take_updates()));
+}
+
+/// A fine lattice: what is free is measured, and it is swept both ways with none, one and two changes.
+void lattice(benchmark::State& state, const Case& c, double spacing, int threads) {
+    using namespace detail::sets;
+    Chart chart;
+    const ChartPlace place = chart_place(find_car("renault-zoe").value(), street_place(c.street), c.start, 0.0, chart);
+    const auto workers = detail::workers_for(threads);
+    const detail::Watch watch([] {}, workers.get());
+    for (auto _ : state) {
+        const OuterLattice lattice(place, spacing, spacing, nullptr, watch);
+        BothWays<Pairs> moves = next_moves(lattice, nullptr, nullptr, watch);
+        for (int changes = 1; changes <= 2; ++changes)
+            moves = next_moves(lattice, &moves.forward.back(), &moves.backward.back(), watch);
+        benchmark::DoNotOptimize(moves);
+    }
 }
 
 /// The map of a street, swept whole.
@@ -165,6 +182,16 @@ void next_maneuver(benchmark::State& state, const Case& c) {
         benchmark::RegisterBenchmark(("park/next-maneuver/" + c.name).c_str(), [c](benchmark::State& state) {
             next_maneuver(state, c);
         })->Unit(benchmark::kMillisecond);
+    }
+    for (const std::string name : {"parallel-5.2x2.0-2.2", "perpendicular-2.3-4.0-nose"}) {
+        for (const int threads : {1, 2}) {
+            const std::string title = threads == 1 ? "park/lattice/" : "park/lattice-on-two-threads/";
+            benchmark::RegisterBenchmark(
+                (title + name + "/10mm").c_str(),
+                [name, threads](benchmark::State& state) { lattice(state, named(name), 0.01, threads); })
+                ->Unit(benchmark::kMillisecond)
+                ->UseRealTime();
+        }
     }
     benchmark::RegisterBenchmark("park/map/parallel-5.2x2.0-3.5/40mm", [](benchmark::State& state) {
         map(state, named("parallel-5.2x2.0-3.5"), 0.04);
