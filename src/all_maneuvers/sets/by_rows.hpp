@@ -1,4 +1,4 @@
-// Layers made row after row.
+// Layers made some rows at a time, on as many threads as there are.
 #pragma once
 
 #include <algorithm>

@@ -97,18 +97,18 @@ Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers, const Cal
         // In one piece: rows between those that hold anything stay empty.
         Layer& layer = all[k];
         std::vector<std::size_t> begins;
+        std::size_t cells = 0;
         for (int block = 0; block < blocks; ++block) {
             LayerRows& some = of(block)[k];
-            begins.push_back(layer.spans.cells);
-            layer.spans.cells += some.low_.size();
+            begins.push_back(cells);
+            cells += some.low_.size();
             if (some.empty()) continue;
             if (layer.spans.rows.empty()) layer.spans.first = some.spans_.first;
             layer.spans.rows.resize(static_cast<std::size_t>(some.spans_.first - layer.spans.first));
             layer.spans.rows.insert(layer.spans.rows.end(), some.spans_.rows.begin(), some.spans_.rows.end());
         }
-        layer.spans.store();
         lay_out(layer, watch.store());
-        in_parts(watch, layer.spans.cells > worth_threads, blocks, [&](int block, const Watch&) {
+        in_parts(watch, cells > worth_threads, blocks, [&](int block, const Watch&) {
             LayerRows some = std::move(of(block)[k]);
             const auto begin = static_cast<std::ptrdiff_t>(begins[static_cast<std::size_t>(block)]);
             std::copy(some.low_.begin(), some.low_.end(), layer.low.begin() + begin);
@@ -120,16 +120,13 @@ Limits made_by_rows(const Watch& watch, Rows rows, std::size_t layers, const Cal
 
 namespace {
 
-template <class Act>
-void each_row(Spans& spans, Rows rows, const Act& act) {
-    for (int row = std::max(rows.first, spans.first); row <= std::min(rows.last, spans.last()); ++row)
-        if (Span& span = spans.rows[static_cast<std::size_t>(row - spans.first)]; !span.empty()) act(row, span);
-}
-
 /// Tells `write` where cells of some rows of a layer go; those at either end that hold nothing are dropped then.
 template <class Write>
 void write_rows(Layer& layer, Rows rows, const Write& write) {
-    each_row(layer.spans, rows, [&](int row, Span& span) {
+    Spans& spans = layer.spans;
+    for (int row = std::max(rows.first, spans.first); row <= std::min(rows.last, spans.last()); ++row) {
+        Span& span = spans.rows[static_cast<std::size_t>(row - spans.first)];
+        if (span.empty()) continue;
         const auto count = static_cast<std::size_t>(span.to - span.from) + 1;
         Micro *low = layer.low.data() + span.begin, *high = layer.high.data() + span.begin;
         std::fill_n(low, count, nowhere);
@@ -137,7 +134,7 @@ void write_rows(Layer& layer, Rows rows, const Write& write) {
         write(row, span.from, low, high, count);
         while (!span.empty() && *low > *high) ++span.from, ++span.begin, ++low, ++high;
         while (!span.empty() && layer.low[span.at(span.to)] > layer.high[span.at(span.to)]) --span.to;
-    });
+    }
 }
 
 }  // namespace
@@ -169,22 +166,20 @@ void OuterLattice::room_for_clipped(const Limits& coarser, Limits& clipped, cons
 void OuterLattice::clip(Rows rows, const Limits& coarser, Limits& clipped) const {
     std::vector<Parents> parents;
     for (const Layer& layer : coarser) parents.push_back({&layer});
-    {
-        std::vector<Micro> least, most;
-        for (std::size_t k = 0; k < free_.size(); ++k) {
-            const Layer& layer = free_[k];
-            write_rows(clipped[k], rows, [&](int row, int first, Micro* low, Micro* high, std::size_t count) {
-                const std::size_t at = layer.spans.of(row).at(first);
-                for (const Parents& of : parents) {
-                    least.assign(count + vector_padding, nowhere);
-                    most.assign(count + vector_padding, -nowhere);
-                    of.limits(row, first, count, least.data(), most.data());
-                    cut({low, high, layer.low.data() + at, layer.high.data() + at, least.data(), most.data(), nullptr,
-                         nullptr},
-                        count);
-                }
-            });
-        }
+    std::vector<Micro> least, most;
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+        const Layer& layer = free_[k];
+        write_rows(clipped[k], rows, [&](int row, int first, Micro* low, Micro* high, std::size_t count) {
+            const std::size_t at = layer.spans.of(row).at(first);
+            for (const Parents& of : parents) {
+                least.assign(count + vector_padding, nowhere);
+                most.assign(count + vector_padding, -nowhere);
+                of.limits(row, first, count, least.data(), most.data());
+                cut({low, high, layer.low.data() + at, layer.high.data() + at, least.data(), most.data(), nullptr,
+                     nullptr},
+                    count);
+            }
+        });
     }
 }
 
